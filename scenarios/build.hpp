@@ -1,0 +1,27 @@
+// From a read scenario to a scene and its first state.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/plan.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+#include "io/diagnostics.hpp"
+#include "io/scenario_node.hpp"
+
+namespace scree::scenarios {
+
+struct Built {
+    Scene scene;
+    State state;   // bodies at time 0, ordered by id; ledger and plan not yet made
+};
+
+// The scene alone: what a resumed run needs (its bodies come from the checkpoint). Files of bodies are not opened.
+// `folder`: the folder of the scenario file; relative paths start there. Faults go to `diagnostics`.
+Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics);
+
+// Scene and bodies. Ids count up from 0 in the order in which the scenario lists the bodies.
+Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics);
+
+}  // namespace scree::scenarios

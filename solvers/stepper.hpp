@@ -1,0 +1,62 @@
+// The time step of Moreau and Jean (Moreau 1988; Jean 1999) with theta = 1/2:
+//   q_m  = q + (h/2) v                         contacts are found here
+//   v_f  = v + h g
+//   v+   = v_f + M^-1 H p,   u = H^T v+,       K_mu ∋ p ⟂ (ũ_N + mu |u_T|) n + u_T ∈ K_mu*     every contact
+//   q+   = q_m + (h/2) v+                      then the position-level correction of penetration
+// q [m], v [m/s], p [N s]; ũ_N = u_N + e u_N^-. Method and references: solvers/README.md.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/contact_record.hpp"
+#include "core/plan.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+#include "core/step_report.hpp"
+
+namespace scree::solvers {
+
+// What the bodies did to one wall in the last scenario step (all its substeps).
+struct WallLoad {
+    Vec3 impulse = Vec3::Zero();   // [N s] on the wall
+    Vec3 angular = Vec3::Zero();   // [N m s] about the scene's local origin
+    std::size_t contacts = 0;      // with an impulse
+};
+
+class Stepper {
+  public:
+    Stepper(const Scene& scene, const Plan& plan);
+    ~Stepper();
+
+    // One scenario step: from state.time to state.time + time.step, cut into substeps when bodies are too fast. Adds to
+    // state.totals and to the ledger; inlets and outlets act at its end. Throws PhysicsError on non-finite velocities.
+    StepReport advance(State& state);
+
+    // Contacts of the last (sub)step in order of key, and the loads on the walls in the last scenario step.
+    // Records are made only if plan.contact_records.
+    const std::vector<ContactRecord>& contacts() const;
+    const std::vector<WallLoad>& wall_loads() const;  // one a wall
+    double last_step() const;                         // [s] length of the last scenario step
+
+    // Bytes held by the stepper's own arrays (not the state's).
+    std::size_t bytes() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// Sets the ledger's energies at the start of a run.
+void start_ledger(const Scene& scene, State& state);
+
+// Overlaps of the bodies as they stand, with each other and with the walls present at state.time: deeper than
+// `relative` of the smaller radius. For `check` and for a warning at the start.
+struct Overlap {
+    ContactKey key;
+    double depth;  // [m]
+    Vec3 point;
+};
+std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative);
+
+}  // namespace scree::solvers
