@@ -1,0 +1,36 @@
+// Files that are either whole or not there: written under another name in the same folder, brought to the disk,
+// renamed. A program that is killed, or a disk that is full, leaves the earlier file as it was.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace scree::io {
+
+// Usage: write to `temporary()` by any means, then `commit()`. Without commit() the temporary file is removed.
+class AtomicFile {
+  public:
+    explicit AtomicFile(std::string path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    const std::string& temporary() const { return temporary_; }
+    // fsync of the file, rename, fsync of the folder. Throws IoError.
+    void commit();
+
+  private:
+    std::string path_, temporary_;
+    bool committed_ = false;
+};
+
+void write_text_atomically(const std::string& path, std::string_view text);
+std::string read_text(const std::string& path);
+// Makes the folder and its parents; IoError with the path and the system's reason if that cannot be.
+void make_folder(const std::string& path);
+// Removes what AtomicFile left in a folder when the program was killed.
+void remove_leftovers(const std::string& folder);
+// "path: what: the system's reason", from `error_number` (an errno).
+[[noreturn]] void throw_system_error(const std::string& path, const std::string& what, int error_number);
+
+}  // namespace scree::io
