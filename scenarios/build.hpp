@@ -1,6 +1,7 @@
 // From a read scenario to a scene and its first state.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,15 @@ namespace scree::scenarios {
 
 struct Built {
     Scene scene;
-    State state;   // bodies at time 0, ordered by id; ledger and plan not yet made
+    State state;  // bodies at time 0, ordered by id; ledger and plan not yet made
 };
 
-// The scene alone: what a resumed run needs (its bodies come from the checkpoint). Files of bodies are not opened.
+// The scene alone: what a resumed run needs (its bodies come from the checkpoint). `origin`: the local origin that the
+// checkpoint's positions are relative to. Without it, an automatic origin has to look into files of bodies again; with
+// it, or with the key `origin`, they are not opened.
 // `folder`: the folder of the scenario file; relative paths start there. Faults go to `diagnostics`.
-Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics);
+Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics,
+                  const std::optional<Vec3>& origin = std::nullopt);
 
 // Scene and bodies. Ids count up from 0 in the order in which the scenario lists the bodies.
 Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics);

@@ -1,0 +1,130 @@
+#include "scenarios/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenarios/body_file.hpp"
+#include "scenarios/context.hpp"
+#include "scenarios/flows.hpp"
+#include "scenarios/generators.hpp"
+#include "scenarios/materials.hpp"
+#include "scenarios/measures.hpp"
+#include "scenarios/origin.hpp"
+#include "scenarios/settings.hpp"
+#include "scenarios/walls.hpp"
+
+namespace scree::scenarios {
+namespace {
+
+std::vector<BodyFile> read_body_files(const io::Node& scenario, const Context& context) {
+    std::vector<BodyFile> files;
+    for (const io::Node& node : items_of(scenario, "bodies")) {
+        if (node.text("generator") == "file") files.push_back(read_body_file(node, context));
+    }
+    return files;
+}
+
+// The origin first: everything after it is built in the local frame.
+Scene build_in_frame(const io::Node& scenario, const Vec3& origin, Context& context, Scene scene) {
+    context.origin = origin;
+    scene.origin = origin;
+    build_settings(scenario, context, scene);
+    build_walls(scenario, context, scene);
+    build_inlets(scenario, context, scene);
+    build_outlets(scenario, context, scene);
+    build_measures(scenario, context, scene);
+    return scene;
+}
+
+Context make_context(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics) {
+    Context context{diagnostics, folder, 1, Vec3::Zero(), {}};
+    if (scenario.has("seed")) context.seed = static_cast<std::uint64_t>(scenario.integer("seed"));
+    return context;
+}
+
+BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, const Context& context,
+                  const Scene& scene) {
+    BodyList bodies;
+    std::uint64_t stream = 0;
+    auto file = files.begin();
+    for (const io::Node& node : items_of(scenario, "bodies")) {
+        const std::string& generator = node.text("generator");
+        if (generator == "sphere") {
+            generate_sphere(node, context, bodies);
+        } else if (generator == "lattice") {
+            generate_lattice(node, stream, context, bodies);
+        } else if (generator == "random") {
+            generate_random(node, stream, context, scene, bodies);
+        } else {
+            SCREE_CHECK(generator == "file" && file != files.end());
+            add_file_bodies(*file++, context, bodies);
+        }
+        ++stream;
+    }
+    return bodies;
+}
+
+State make_state(BodyList list, const Scene& scene, const io::Node& scenario, const Context& context) {
+    State state;
+    Bodies& bodies = state.bodies;
+    const std::size_t n = list.size();
+    if (static_cast<double>(n) > kMostBodies) {
+        context.error(scenario.at("bodies"),
+                      fmt::format("{} bodies are more than one run can hold ({:g})", n, kMostBodies));
+        return state;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        bodies.id.push_back(BodyId{i});
+        bodies.mass.push_back(Bodies::sphere_mass(list.radius[i], scene.materials[raw(list.material[i])].density));
+    }
+    bodies.radius = std::move(list.radius);
+    bodies.material = std::move(list.material);
+    bodies.position = std::move(list.position);
+    bodies.velocity = std::move(list.velocity);
+    const Plan plan = make_plan(scene, bodies);
+    if (plan.friction) {
+        bodies.spin = std::move(list.spin);
+    } else if (std::any_of(list.spin.begin(), list.spin.end(), [](const Vec3& w) { return !w.isZero(0.0); })) {
+        context.warning(scenario.at("bodies"),
+                        "the spin of bodies has no effect where nothing has friction, and is left out");
+    }
+    if (plan.orientation) bodies.orientation.assign(n, Quat::Identity());
+    state.next_id = n;
+    state.inlets.resize(scene.inlets.size());
+    state.outlets.resize(scene.outlets.size());
+    state.measures.resize(scene.measures.size());
+    return state;
+}
+
+}  // namespace
+
+Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics,
+                  const std::optional<Vec3>& origin) {
+    Context context = make_context(scenario, folder, diagnostics);
+    Scene scene;
+    build_materials(scenario, context, scene);
+    Vec3 chosen = Vec3::Zero();
+    if (scenario.has("origin")) {
+        chosen = scenario.vector("origin");
+    } else if (origin) {
+        chosen = *origin;
+    } else {
+        chosen = choose_origin(scenario, read_body_files(scenario, context));
+    }
+    return build_in_frame(scenario, chosen, context, std::move(scene));
+}
+
+Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics) {
+    Context context = make_context(scenario, folder, diagnostics);
+    Scene scene;
+    build_materials(scenario, context, scene);
+    const std::vector<BodyFile> files = read_body_files(scenario, context);
+    const Vec3 origin = scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, files);
+    Built built;
+    built.scene = build_in_frame(scenario, origin, context, std::move(scene));
+    built.state = make_state(generate(scenario, files, context, built.scene), built.scene, scenario, context);
+    return built;
+}
+
+}  // namespace scree::scenarios
