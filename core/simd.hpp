@@ -35,45 +35,95 @@ inline const char* simd_name() {
 
 namespace detail {
 #if defined(__AVX512F__)
-inline Native load(const double* p) { return _mm512_load_pd(p); }
-inline void store(double* p, Native a) { _mm512_store_pd(p, a); }
-inline Native fill(double x) { return _mm512_set1_pd(x); }
+inline Native load(const double* p) {
+    return _mm512_load_pd(p);
+}
+inline void store(double* p, Native a) {
+    _mm512_store_pd(p, a);
+}
+inline Native fill(double x) {
+    return _mm512_set1_pd(x);
+}
 // The masked forms: GCC 12 warns of the undefined pass-through operand in the plain ones.
-inline Native root(Native a) { return _mm512_maskz_sqrt_pd(0xff, a); }
-inline Native larger(Native a, Native b) { return _mm512_maskz_max_pd(0xff, a, b); }
-inline Native smaller(Native a, Native b) { return _mm512_maskz_min_pd(0xff, a, b); }
+inline Native root(Native a) {
+    return _mm512_maskz_sqrt_pd(0xff, a);
+}
+inline Native larger(Native a, Native b) {
+    return _mm512_maskz_max_pd(0xff, a, b);
+}
+inline Native smaller(Native a, Native b) {
+    return _mm512_maskz_min_pd(0xff, a, b);
+}
 inline Native where_less(Native a, Native b, Native yes, Native no) {
     return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_LT_OQ), no, yes);
 }
 #elif defined(__AVX__)
-inline Native load(const double* p) { return _mm256_load_pd(p); }
-inline void store(double* p, Native a) { _mm256_store_pd(p, a); }
-inline Native fill(double x) { return _mm256_set1_pd(x); }
-inline Native root(Native a) { return _mm256_sqrt_pd(a); }
-inline Native larger(Native a, Native b) { return _mm256_max_pd(a, b); }
-inline Native smaller(Native a, Native b) { return _mm256_min_pd(a, b); }
+inline Native load(const double* p) {
+    return _mm256_load_pd(p);
+}
+inline void store(double* p, Native a) {
+    _mm256_store_pd(p, a);
+}
+inline Native fill(double x) {
+    return _mm256_set1_pd(x);
+}
+inline Native root(Native a) {
+    return _mm256_sqrt_pd(a);
+}
+inline Native larger(Native a, Native b) {
+    return _mm256_max_pd(a, b);
+}
+inline Native smaller(Native a, Native b) {
+    return _mm256_min_pd(a, b);
+}
 inline Native where_less(Native a, Native b, Native yes, Native no) {
     return _mm256_blendv_pd(no, yes, _mm256_cmp_pd(a, b, _CMP_LT_OQ));
 }
 #elif defined(__SSE2__)
-inline Native load(const double* p) { return _mm_load_pd(p); }
-inline void store(double* p, Native a) { _mm_store_pd(p, a); }
-inline Native fill(double x) { return _mm_set1_pd(x); }
-inline Native root(Native a) { return _mm_sqrt_pd(a); }
-inline Native larger(Native a, Native b) { return _mm_max_pd(a, b); }
-inline Native smaller(Native a, Native b) { return _mm_min_pd(a, b); }
+inline Native load(const double* p) {
+    return _mm_load_pd(p);
+}
+inline void store(double* p, Native a) {
+    _mm_store_pd(p, a);
+}
+inline Native fill(double x) {
+    return _mm_set1_pd(x);
+}
+inline Native root(Native a) {
+    return _mm_sqrt_pd(a);
+}
+inline Native larger(Native a, Native b) {
+    return _mm_max_pd(a, b);
+}
+inline Native smaller(Native a, Native b) {
+    return _mm_min_pd(a, b);
+}
 inline Native where_less(Native a, Native b, Native yes, Native no) {
     const Native mask = _mm_cmplt_pd(a, b);
     return _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no));
 }
 #else
-inline Native load(const double* p) { return *p; }
-inline void store(double* p, Native a) { *p = a; }
-inline Native fill(double x) { return x; }
-inline Native root(Native a) { return std::sqrt(a); }
-inline Native larger(Native a, Native b) { return a > b ? a : b; }
-inline Native smaller(Native a, Native b) { return a < b ? a : b; }
-inline Native where_less(Native a, Native b, Native yes, Native no) { return a < b ? yes : no; }
+inline Native load(const double* p) {
+    return *p;
+}
+inline void store(double* p, Native a) {
+    *p = a;
+}
+inline Native fill(double x) {
+    return x;
+}
+inline Native root(Native a) {
+    return std::sqrt(a);
+}
+inline Native larger(Native a, Native b) {
+    return a > b ? a : b;
+}
+inline Native smaller(Native a, Native b) {
+    return a < b ? a : b;
+}
+inline Native where_less(Native a, Native b, Native yes, Native no) {
+    return a < b ? yes : no;
+}
 #endif
 }  // namespace detail
 
@@ -96,11 +146,11 @@ struct Pack {
     }
 };
 
-#define SCREE_PACK_BINARY(op)                                          \
-    inline Pack operator op(const Pack& a, const Pack& b) {            \
-        Pack r;                                                        \
-        for (int i = 0; i < kNatives; ++i) r.v[i] = a.v[i] op b.v[i];  \
-        return r;                                                      \
+#define SCREE_PACK_BINARY(op)                                         \
+    inline Pack operator op(const Pack& a, const Pack& b) {           \
+        Pack r;                                                       \
+        for (int i = 0; i < kNatives; ++i) r.v[i] = a.v[i] op b.v[i]; \
+        return r;                                                     \
     }
 SCREE_PACK_BINARY(+)
 SCREE_PACK_BINARY(-)
@@ -146,10 +196,18 @@ inline double max_lanes(const Pack& a) {
 struct Pack3 {
     Pack x, y, z;
 };
-inline Pack3 operator+(const Pack3& a, const Pack3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Pack3 operator-(const Pack3& a, const Pack3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Pack3 operator*(const Pack& s, const Pack3& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Pack dot(const Pack3& a, const Pack3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+inline Pack3 operator+(const Pack3& a, const Pack3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Pack3 operator-(const Pack3& a, const Pack3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Pack3 operator*(const Pack& s, const Pack3& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline Pack dot(const Pack3& a, const Pack3& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
 inline Pack3 cross(const Pack3& a, const Pack3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -161,7 +219,8 @@ inline void gather4(const Row& row, Pack& c0, Pack& c1, Pack& c2, Pack& c3) {
 #if defined(__AVX512F__)
     // pairs of rows (0,2) (1,3) (4,6) (5,7), so that the lanes come out in order
     const auto pair = [&](int i, int j) {
-        return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_load_pd(row(i))), _mm256_load_pd(row(j)), 1);
+        return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(_mm256_load_pd(row(i))), _mm256_load_pd(row(j)),
+                                        1);
     };
     const __m512d r0 = pair(0, 2), r1 = pair(1, 3), r2 = pair(4, 6), r3 = pair(5, 7);
     const __m512d xz0 = _mm512_maskz_unpacklo_pd(0xff, r0, r1), yw0 = _mm512_maskz_unpackhi_pd(0xff, r0, r1);

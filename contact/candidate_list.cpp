@@ -1,0 +1,108 @@
+#include "contact/candidate_list.hpp"
+
+#include <algorithm>
+
+#include "contact/walls/wall_contact.hpp"
+
+namespace scree::contact {
+namespace {
+
+constexpr double kStepsAhead = 10.0;  // a list should last this many steps ...
+constexpr double kLeastSlack = 0.03;  // ... and a resting body may move by this share of its radius
+
+}  // namespace
+
+bool CandidateList::still_holds(const State& state, const std::vector<double>& margin) const {
+    const Bodies& bodies = state.bodies;
+    if (!valid_ || bodies.size() != ball_.size() || state.time > valid_until_) return false;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const double room = slack_[i] - margin[i];
+        const double dx = bodies.position[i].x() - ball_[i].x, dy = bodies.position[i].y() - ball_[i].y,
+                     dz = bodies.position[i].z() - ball_[i].z;
+        if (room < 0.0 || dx * dx + dy * dy + dz * dz > room * room) return false;
+    }
+    return true;
+}
+
+bool CandidateList::update(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
+    if (still_holds(state, margin)) return false;
+    const Bodies& bodies = state.bodies;
+    const std::size_t n = bodies.size();
+    ball_.resize(n);
+    slack_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double travel = kStepsAhead * step * bodies.velocity[i].norm();
+        slack_[i] = 1.5 * margin[i] + std::max(travel, kLeastSlack * bodies.radius[i]);
+        const Vec3& x = bodies.position[i];
+        ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
+    }
+    rebuild_pairs(state);
+    rebuild_walls(scene, state, step);
+    valid_ = true;
+    ++rebuilds_;
+    return true;
+}
+
+void CandidateList::rebuild_pairs(const State& state) {
+    const std::size_t n = state.bodies.size();
+    pair_.clear();
+    grid_.find_pairs(ball_, pair_);
+    partner_begin_.assign(n + 1, 0);
+    for (const auto& [i, j] : pair_) ++partner_begin_[i + 1];
+    for (std::size_t i = 0; i < n; ++i) partner_begin_[i + 1] += partner_begin_[i];
+    partner_.resize(pair_.size());
+    std::vector<std::size_t> next(partner_begin_.begin(), partner_begin_.end());
+    for (const auto& [i, j] : pair_) partner_[next[i]++] = j;
+    for (std::size_t i = 0; i < n; ++i)
+        std::sort(partner_.begin() + static_cast<std::ptrdiff_t>(partner_begin_[i]),
+                  partner_.begin() + static_cast<std::ptrdiff_t>(partner_begin_[i + 1]));
+}
+
+void CandidateList::rebuild_walls(const Scene& scene, const State& state, double step) {
+    const std::size_t n = state.bodies.size();
+    const double life = kStepsAhead * step;
+    bool moving = false;
+    struct Frame {
+        WallPose pose;
+        WallBounds bounds;
+    };
+    std::vector<Frame> frame;
+    for (const Wall& wall : scene.walls) {
+        frame.push_back({pose_at(wall.motion, state.time + 0.5 * step), bounds(wall.shape)});
+        moving = moving || wall.motion.moves();
+    }
+    valid_until_ = moving ? state.time + life : kForever;
+    wall_begin_.assign(n + 1, 0);
+    wall_.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 x(ball_[i].x, ball_[i].y, ball_[i].z);
+        for (std::uint32_t w = 0; w < scene.walls.size(); ++w) {
+            const Wall& wall = scene.walls[w];
+            const WallMotion& motion = wall.motion;
+            double reach = slack_[i];
+            if (motion.moves()) {
+                const double speed = motion.velocity.norm() + motion.amplitude.norm() * 6.3 * motion.frequency +
+                                     std::abs(motion.rate) * (x - motion.centre).norm();
+                reach += speed * (life + step);
+            }
+            const Vec3 local = frame[w].pose.to_local(x);
+            const double width = state.bodies.radius[i] + reach;
+            if ((local - frame[w].bounds.lower).minCoeff() < -width ||
+                (frame[w].bounds.upper - local).minCoeff() < -width)
+                continue;
+            WallContacts found;
+            find_contacts(wall.shape, local, state.bodies.radius[i], reach, found);
+            if (found.count > 0) wall_.push_back(w);
+        }
+        wall_begin_[i + 1] = wall_.size();
+    }
+}
+
+std::size_t CandidateList::bytes() const {
+    return grid_.bytes() + ball_.capacity() * sizeof(Ball) + slack_.capacity() * 8 +
+           pair_.capacity() * sizeof(pair_[0]) +
+           (partner_begin_.capacity() + wall_begin_.capacity()) * sizeof(std::size_t) +
+           (partner_.capacity() + wall_.capacity()) * 4;
+}
+
+}  // namespace scree::contact

@@ -1,0 +1,53 @@
+// The list of bodies and walls that may touch, kept over several steps (Verlet 1967).
+//
+// Body i may touch what comes within its margin m_i (what it can move in half a step). The list holds every pair closer
+// than r_i + r_j + s_i + s_j at the time it was made, and is made anew as soon as one body has moved by more than
+// s_i - m_i. A fast body has a wide s_i, a resting one a narrow one: one falling grain does not spoil the list of all.
+// The list only bounds the search; which contacts exist is decided by exact gaps, so it leaves no trace in results.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/cell_grid.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+
+namespace scree::contact {
+
+class CandidateList {
+  public:
+    // Positions in state.bodies are those of the middle of the step. `margin` [m]: one a body.
+    // Returns true if the list was made anew.
+    bool update(const Scene& scene, const State& state, double step, const std::vector<double>& margin);
+    // Forget the list: bodies came, went or changed places in the arrays.
+    void invalidate() { valid_ = false; }
+
+    // Partners j > i of body i, increasing; walls near body i, increasing.
+    std::span<const std::uint32_t> partners(std::size_t i) const {
+        return {partner_.data() + partner_begin_[i], partner_.data() + partner_begin_[i + 1]};
+    }
+    std::span<const std::uint32_t> walls(std::size_t i) const {
+        return {wall_.data() + wall_begin_[i], wall_.data() + wall_begin_[i + 1]};
+    }
+    std::uint64_t rebuilds() const { return rebuilds_; }
+    std::size_t bytes() const;
+
+  private:
+    bool still_holds(const State& state, const std::vector<double>& margin) const;
+    void rebuild_pairs(const State& state);
+    void rebuild_walls(const Scene& scene, const State& state, double step);
+
+    bool valid_ = false;
+    double valid_until_ = 0.0;  // [s] moving walls
+    std::uint64_t rebuilds_ = 0;
+    CellGrid grid_;
+    std::vector<Ball> ball_;     // n, where the list was made; radius r + s
+    std::vector<double> slack_;  // [m] s, n
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_;
+    std::vector<std::size_t> partner_begin_, wall_begin_;  // n + 1
+    std::vector<std::uint32_t> partner_, wall_;
+};
+
+}  // namespace scree::contact

@@ -1,0 +1,89 @@
+#include "contact/find_contacts.hpp"
+
+#include <cmath>
+
+#include "contact/laws/impact.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "contact/walls/wall_contact.hpp"
+
+namespace scree::contact {
+namespace {
+
+// Gaps smaller than this share of the radii are contact: round-off must not decide whether touching bodies touch.
+constexpr double kTouch = 1e-10;
+
+struct WallFrame {
+    bool present, moves, rotates;
+    WallPose pose;
+};
+
+}  // namespace
+
+void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin) {
+    const Bodies& bodies = state.bodies;
+    margin.resize(bodies.size());
+    const double half = 0.5 * times.step * std::max(1.0, scene.solver.look_ahead);
+    const double fall = times.step * scene.gravity.at(times.middle()).norm();
+    for (std::size_t i = 0; i < bodies.size(); ++i) margin[i] = half * (bodies.velocity[i].norm() + fall);
+}
+
+void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,
+                   ContactSet& contacts) {
+    const Bodies& bodies = state.bodies;
+    const double h = times.step;
+    const Vec3 gravity = scene.gravity.at(times.middle());
+    const ImpactStep step{h, h * gravity.norm()};
+    const double look = 0.5 * h * scene.solver.look_ahead;
+    std::vector<WallFrame> frame;
+    frame.reserve(scene.walls.size());
+    for (const Wall& wall : scene.walls)
+        frame.push_back({wall.present(times.middle()), wall.motion.moves(), wall.motion.rate != 0.0,
+                         pose_at(wall.motion, times.middle())});
+    contacts.clear();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Vec3& x = bodies.position[i];
+        const double radius = bodies.radius[i];
+        const Vec3& v = bodies.velocity[i];
+        for (const std::uint32_t j : candidates.partners(i)) {
+            const Vec3 relative = v - bodies.velocity[j];
+            const double reach = look * (relative.norm() + step.resting_speed);
+            const SphereGap pair = sphere_sphere(x, bodies.position[j], radius + bodies.radius[j], relative);
+            if (pair.gap > std::max(reach, 0.5 * h * relative.norm())) continue;
+            const PairLaw& law = scene.pairs(bodies.material[i], bodies.material[j]);
+            const double approach = relative.dot(pair.normal);
+            double bias = 0.0;
+            if (!impact_law(
+                    {pair.gap, approach, approach, law.restitution, kTouch * (radius + bodies.radius[j]), reach}, step,
+                    bias))
+                continue;
+            contacts.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), static_cast<std::uint32_t>(i), j,
+                                pair.normal, pair.gap, law.friction, bias});
+        }
+        for (const std::uint32_t w : candidates.walls(i)) {
+            if (!frame[w].present) continue;
+            const Wall& wall = scene.walls[w];
+            const PairLaw& law = scene.pairs(bodies.material[i], wall.material);
+            const double margin = 0.5 * h * (v.norm() + step.resting_speed) * std::max(1.0, scene.solver.look_ahead) +
+                                  (frame[w].moves ? radius : 0.0);
+            WallContacts found;
+            find_contacts(wall.shape, frame[w].moves ? frame[w].pose.to_local(x) : x, radius, margin, found);
+            for (int k = 0; k < found.count; ++k) {
+                const WallContact& c = found.item[static_cast<std::size_t>(k)];
+                const Vec3 normal = frame[w].moves ? Vec3(frame[w].pose.rotation * c.normal) : c.normal;
+                Vec3 relative = v;
+                if (frame[w].moves)
+                    relative -= mean_velocity(wall.motion, x - (radius + 0.5 * c.gap) * normal, times.begin, h);
+                const double approach = relative.dot(normal);
+                const double free_approach = approach + h * gravity.dot(normal);
+                const double reach = look * (relative.norm() + step.resting_speed);
+                double bias = 0.0;
+                if (!impact_law({c.gap, approach, free_approach, law.restitution, kTouch * radius, reach}, step, bias))
+                    continue;
+                contacts.push_back({ContactKey::wall(bodies.id[i], WallIndex{w}, c.feature),
+                                    static_cast<std::uint32_t>(i), w, normal, c.gap, law.friction, bias});
+            }
+        }
+    }
+}
+
+}  // namespace scree::contact

@@ -1,0 +1,26 @@
+// All contacts of a step, with the bodies at the middle of the step.
+#pragma once
+
+#include "contact/candidate_list.hpp"
+#include "contact/contact_set.hpp"
+#include "core/plan.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+
+namespace scree::contact {
+
+struct StepTimes {
+    double begin;  // [s]
+    double step;   // h [s]
+    double middle() const { return begin + 0.5 * step; }
+};
+
+// How far each body can close a gap in half a step [m]: look_ahead * (h/2) (|v| + h |g|), at least with look_ahead 1.
+void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin);
+
+// `state.bodies.position` holds q_m, `velocity` and `spin` are those at the start of the step.
+// Contacts come out in order of key.
+void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,
+                   ContactSet& contacts);
+
+}  // namespace scree::contact

@@ -1,0 +1,224 @@
+#include "solvers/contact_problem.hpp"
+
+#include <cmath>
+
+#include "solvers/kernels.hpp"
+
+namespace scree::solvers {
+namespace {
+
+// One sum a block in the order of its batches, then an exact sum over the blocks: no order of blocks changes a bit.
+template <class PerBatch>
+double sum_over_blocks(const std::vector<Block>& blocks, PerBatch per_batch) {
+    ExactSum total;
+    for (const Block& block : blocks) {
+        Pack sum = Pack::all(0.0);
+        for (std::uint32_t k = block.begin; k < block.end; ++k) sum = sum + per_batch(k);
+        const double s = sum_lanes(sum);
+        if (!std::isfinite(s)) return s;
+        total.add(s);
+    }
+    return total.value();
+}
+
+void set_spin(SpinningLine& line, const Vec3& w, double inverse_inertia) {
+    for (int k = 0; k < 3; ++k) line.w[k] = w[k];
+    line.inverse_inertia = inverse_inertia;
+}
+
+template <class Line>
+void set_velocity(Line& line, const Vec3& v, double inverse_mass) {
+    for (int k = 0; k < 3; ++k) line.v[k] = v[k];
+    line.inverse_mass = inverse_mass;
+}
+
+// line + beta (line - previous) for the moving part, and previous = line.
+void extrapolate(SpinningLine& line, SpinningLine& previous, double beta) {
+    const SpinningLine now = line;
+    for (int k = 0; k < 3; ++k) {
+        line.v[k] = now.v[k] + beta * (now.v[k] - previous.v[k]);
+        line.w[k] = now.w[k] + beta * (now.w[k] - previous.w[k]);
+    }
+    previous = now;
+}
+void extrapolate(SlidingLine& line, SlidingLine& previous, double beta) {
+    const SlidingLine now = line;
+    for (int k = 0; k < 3; ++k) line.v[k] = now.v[k] + beta * (now.v[k] - previous.v[k]);
+    previous = now;
+}
+
+}  // namespace
+
+template <class Law>
+void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state,
+                                   const Vec3& dv_free, const std::vector<Vec3>& wall_velocity) {
+    layout_ = &layout;
+    contacts_ = contacts.size();
+    const Bodies& bodies = state.bodies;
+    bodies_ = bodies.size();
+    line_.resize(bodies_ + 1);
+    line_[kGround] = Line{};
+    for (std::size_t i = 0; i < bodies_; ++i) {
+        Line& line = line_[i + 1];
+        const double inverse_mass = 1.0 / bodies.mass[i];
+        set_velocity(line, bodies.velocity[i] + dv_free, inverse_mass);
+        if constexpr (Law::kImpulse == 3)
+            set_spin(line, bodies.radius[i] * bodies.spin[i], inverse_mass / Bodies::kSphereInertia);
+    }
+    batch_.resize(layout.batches());
+    for (std::size_t k = 0; k < batch_.size(); ++k) {
+        Batch& batch = batch_[k];
+        const auto& lanes = layout.lanes()[k];
+        batch = Batch{};
+        for (int i = 0; i < kLanes; ++i) {
+            if (lanes[static_cast<std::size_t>(i)] == kNoContact) continue;
+            const contact::Contact& c = contacts[lanes[static_cast<std::size_t>(i)]];
+            batch.a[i] = c.a + 1;
+            double w = line_[c.a + 1].inverse_mass;
+            if (!c.key.is_wall()) {
+                batch.b[i] = c.b + 1;
+                w += line_[c.b + 1].inverse_mass;
+            } else if (!wall_velocity.empty()) {
+                const Vec3& v = wall_velocity[lanes[static_cast<std::size_t>(i)]];
+                if (!v.isZero(0.0)) {
+                    batch.b[i] = static_cast<std::uint32_t>(line_.size());
+                    line_.push_back(Line{});
+                    set_velocity(line_.back(), v, 0.0);
+                }
+            }
+            for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
+            batch.bias[i] = c.bias;
+            batch.inverse_w[i] = 1.0 / w;
+            if constexpr (Law::kImpulse == 3) batch.friction[i] = c.friction;
+        }
+    }
+}
+
+template <class Law>
+void ContactProblem<Law>::scale(double floor) {
+    const double sum = sum_over_blocks(blocks(), [&](std::uint32_t k) { return drive(batch_[k], line_.data()); });
+    v_ref_ = contacts_ == 0 ? floor : std::max(floor, std::sqrt(sum / static_cast<double>(contacts_)));
+}
+
+template <class Law>
+void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std::vector<double>& normal) {
+    for (std::size_t k = 0; k < batch_.size(); ++k) {
+        Batch& batch = batch_[k];
+        for (int i = 0; i < kLanes; ++i) {
+            const std::uint32_t c = layout_->lanes()[k][static_cast<std::size_t>(i)];
+            if (c == kNoContact) continue;
+            if constexpr (Law::kImpulse == 3)
+                for (int d = 0; d < 3; ++d) batch.p[d][i] = impulse[c][d];
+            else
+                batch.p[0][i] = normal[c];
+        }
+        apply(batch, line_.data());
+    }
+}
+
+template <class Law>
+void ContactProblem<Law>::reset_momentum() {
+    previous_.resize(batch_.size());
+    for (std::size_t k = 0; k < batch_.size(); ++k)
+        for (int d = 0; d < Law::kImpulse; ++d) Pack::load(batch_[k].p[d]).store(previous_[k].p[d]);
+    line_previous_ = line_;
+}
+
+template <class Law>
+double ContactProblem<Law>::sweep(double beta, bool momentum) {
+    Line* line = line_.data();
+    const Pack b = Pack::all(beta);
+    double sum = 0.0;
+    if (momentum) {
+        for (std::size_t i = 1; i <= bodies_; ++i) extrapolate(line_[i], line_previous_[i], beta);
+        sum = sum_over_blocks(blocks(),
+                              [&](std::uint32_t k) { return update<true>(batch_[k], line, previous_[k].p, b); });
+    } else {
+        sum = sum_over_blocks(blocks(), [&](std::uint32_t k) { return update<false>(batch_[k], line, nullptr, b); });
+    }
+    if (contacts_ == 0 || sum == 0.0) return 0.0;
+    return std::sqrt(sum / static_cast<double>(contacts_)) / v_ref_;
+}
+
+template <class Law>
+Residual ContactProblem<Law>::residual() const {
+    Pack largest = Pack::all(0.0);
+    const double sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
+        const Pack f = natural_map(batch_[k], line_.data());
+        largest = max(largest, f);
+        return f;
+    });
+    if (contacts_ == 0 || sum == 0.0) return {};
+    return {std::sqrt(sum / static_cast<double>(contacts_)) / v_ref_, std::sqrt(max_lanes(largest)) / v_ref_};
+}
+
+template <class Law>
+ContactWork ContactProblem<Law>::work(const State& state) const {
+    line_mean_ = line_;
+    const Bodies& bodies = state.bodies;
+    for (std::size_t i = 0; i < bodies_; ++i) {
+        Line& line = line_mean_[i + 1];
+        for (int d = 0; d < 3; ++d) line.v[d] = 0.5 * (line.v[d] + bodies.velocity[i][d]);
+        if constexpr (Law::kImpulse == 3)
+            for (int d = 0; d < 3; ++d) line.w[d] = 0.5 * (line.w[d] + bodies.radius[i] * bodies.spin[i][d]);
+    }
+    ContactWork total;
+    ExactSum tangential, gained;
+    const Pack zero = Pack::all(0.0);
+    std::uint32_t block = 0;
+    Pack sum_tangential = zero, sum_gained = zero;
+    total.normal = sum_over_blocks(blocks(), [&](std::uint32_t k) {
+        const WorkPacks w = solvers::work(batch_[k], line_mean_.data());
+        sum_tangential = sum_tangential + w.tangential;
+        sum_gained = sum_gained + max(w.normal + w.tangential, zero);
+        if (k + 1 == blocks()[block].end) {
+            tangential.add(sum_lanes(sum_tangential));
+            gained.add(sum_lanes(sum_gained));
+            sum_tangential = sum_gained = zero;
+            ++block;
+        }
+        return w.normal;
+    });
+    total.tangential = tangential.value();
+    total.gained = gained.value();
+    return total;
+}
+
+template <class Law>
+void ContactProblem<Law>::velocities(State& state) const {
+    Bodies& bodies = state.bodies;
+    for (std::size_t i = 0; i < bodies_; ++i) {
+        const Line& line = line_[i + 1];
+        for (int d = 0; d < 3; ++d) bodies.velocity[i][d] = line.v[d];
+        if constexpr (Law::kImpulse == 3)
+            for (int d = 0; d < 3; ++d) bodies.spin[i][d] = line.w[d] / bodies.radius[i];
+    }
+}
+
+template <class Law>
+void ContactProblem<Law>::impulses(std::vector<Vec3>& impulse, std::vector<double>& normal) const {
+    if constexpr (Law::kImpulse == 3)
+        impulse.resize(contacts_);
+    else
+        normal.resize(contacts_);
+    for (std::size_t k = 0; k < batch_.size(); ++k)
+        for (int i = 0; i < kLanes; ++i) {
+            const std::uint32_t c = layout_->lanes()[k][static_cast<std::size_t>(i)];
+            if (c == kNoContact) continue;
+            if constexpr (Law::kImpulse == 3)
+                impulse[c] = Vec3(batch_[k].p[0][i], batch_[k].p[1][i], batch_[k].p[2][i]);
+            else
+                normal[c] = batch_[k].p[0][i];
+        }
+}
+
+template <class Law>
+std::size_t ContactProblem<Law>::bytes() const {
+    return (line_.capacity() + line_previous_.capacity() + line_mean_.capacity()) * sizeof(Line) +
+           batch_.capacity() * sizeof(Batch) + previous_.capacity() * sizeof(Impulse);
+}
+
+template class ContactProblem<Frictional>;
+template class ContactProblem<Frictionless>;
+
+}  // namespace scree::solvers

@@ -1,0 +1,79 @@
+// The contact problem of one step, laid out for the kernels: find p with u = H^T (v_free + M^-1 H p) and every
+// contact's law. Holds the velocities (lines) that belong to the impulses (batches) at all times.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_set.hpp"
+#include "core/aligned_vector.hpp"
+#include "core/exact_sum.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+#include "solvers/batch.hpp"
+#include "solvers/layout.hpp"
+
+namespace scree::solvers {
+
+struct Residual {
+    double rms = 0.0, max = 0.0;  // of the natural map over v_ref (solvers/README.md)
+};
+struct ContactWork {
+    double normal = 0.0, tangential = 0.0;  // [J]
+    double gained = 0.0;                    // [J] sum over batches' blocks whose contacts together added energy
+};
+
+template <class Law>
+class ContactProblem {
+  public:
+    using Line = typename Law::Line;
+    using Batch = typename Law::Batch;
+    struct Impulse {
+        alignas(64) double p[Law::kImpulse][kLanes];
+    };
+
+    // Free velocities into the lines (v + h g), contacts into the batches with zero impulses.
+    // `wall_velocity`: of each moving-wall contact in order of key, others ignored.
+    void assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state, const Vec3& dv_free,
+                  const std::vector<Vec3>& wall_velocity);
+    // v_ref = sqrt(sum |q|^2 / contacts), at least `floor` [m/s].
+    void scale(double floor);
+    // Impulses to start from, in order of key: applied to the lines.
+    void warm_start(const std::vector<Vec3>& impulse, const std::vector<double>& normal);
+
+    // One Gauss-Seidel sweep; with `beta` > 0 it starts from impulses extrapolated by beta along their last change, and
+    // so are the lines. Returns the size of the change, sqrt(sum |W_N r|^2 / contacts) / v_ref.
+    double sweep(double beta, bool momentum);
+    // Forgets the last change of impulses: the next sweep starts where the last one ended.
+    void reset_momentum();
+
+    Residual residual() const;
+    // Work of the impulses on the mean of the velocities before (state) and after (lines).
+    ContactWork work(const State& state) const;
+    // Velocities and spins of the bodies after the step.
+    void velocities(State& state) const;
+    // Impulses in order of key.
+    void impulses(std::vector<Vec3>& impulse, std::vector<double>& normal) const;
+
+    std::size_t contacts() const { return contacts_; }
+    double reference_velocity() const { return v_ref_; }
+    const std::vector<Block>& blocks() const { return layout_->blocks(); }
+    const LineVector<Batch>& batches() const { return batch_; }
+    const LineVector<Line>& lines() const { return line_; }
+    std::size_t bytes() const;
+
+  private:
+    const Layout* layout_ = nullptr;
+    std::size_t contacts_ = 0, bodies_ = 0;
+    double v_ref_ = 0.0;
+    LineVector<Line> line_;  // ground, bodies, moving-wall contacts
+    LineVector<Batch> batch_;
+    LineVector<Impulse> previous_;    // momentum: impulses before the last sweep; empty without acceleration
+    LineVector<Line> line_previous_;  // and the lines that belong to them
+    mutable LineVector<Line> line_mean_;
+};
+
+extern template class ContactProblem<Frictional>;
+extern template class ContactProblem<Frictionless>;
+
+}  // namespace scree::solvers

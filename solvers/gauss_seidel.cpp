@@ -1,0 +1,66 @@
+#include "solvers/gauss_seidel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace scree::solvers {
+namespace {
+
+constexpr double kMaxOverRms = 16.0;  // allowed maximum of the natural map over its allowed rms
+
+// The step length of the extrapolation.
+class Momentum {
+  public:
+    double next(double change) {
+        if (change > last_change_) {
+            t_ = 1.0;
+            last_change_ = change;
+            return 0.0;
+        }
+        last_change_ = change;
+        const double t_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t_ * t_));
+        const double beta = (t_ - 1.0) / t_next;
+        t_ = t_next;
+        return beta;
+    }
+
+  private:
+    double t_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+template <class Law>
+SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& settings) {
+    SolveReport report;
+    if (problem.contacts() == 0) return report;
+    const bool accelerate = settings.method == SolverMethod::conjugate_gauss_seidel;
+    const auto good = [&](const Residual& r) {
+        return r.rms <= settings.tolerance && r.max <= kMaxOverRms * settings.tolerance;
+    };
+    if (accelerate) problem.reset_momentum();
+    Momentum momentum;
+    double beta = 0.0;
+    int next_check = settings.min_sweeps;
+    for (;;) {
+        const double change = problem.sweep(beta, accelerate);
+        ++report.sweeps;
+        const bool last = report.sweeps >= settings.max_sweeps;
+        // the change of a sweep tells when a look at the residual is worth its price
+        if (last || (report.sweeps >= next_check && change <= settings.tolerance)) {
+            report.residual = problem.residual();
+            ++report.residual_checks;
+            report.converged = good(report.residual);
+            if (last || report.converged) return report;
+            next_check = report.sweeps + 2 + report.sweeps / 8;
+        }
+        if (accelerate) beta = momentum.next(change);
+    }
+}
+
+template SolveReport gauss_seidel(ContactProblem<Frictional>&, const SolverSettings&);
+template SolveReport gauss_seidel(ContactProblem<Frictionless>&, const SolverSettings&);
+
+}  // namespace scree::solvers

@@ -1,0 +1,163 @@
+#include "solvers/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "contact/cell_grid.hpp"
+#include "contact/sphere_sphere.hpp"
+#include "contact/walls/wall_contact.hpp"
+#include "solvers/energy.hpp"
+#include "solvers/flows.hpp"
+#include "solvers/substep.hpp"
+
+namespace scree::solvers {
+namespace {
+
+constexpr int kMostHalvings = 20;
+
+// Into how many equal substeps this step is cut, a power of two: no body moves more than max_travel of its radius.
+int substeps(const Scene& scene, const State& state) {
+    if (scene.time.max_travel <= 0.0) return 1;
+    const bool can_pass =
+        state.bodies.size() > 1 ||
+        std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& w) { return contact::is_thin(w.shape); });
+    if (!can_pass) return 1;
+    const double h = scene.time.step, g = scene.gravity.at(state.time + 0.5 * h).norm();
+    double most = 0.0;  // radii moved in this step
+    for (std::size_t i = 0; i < state.bodies.size(); ++i)
+        most = std::max(most, h * (state.bodies.velocity[i].norm() + h * g) / state.bodies.radius[i]);
+    int n = 1;
+    for (int k = 0; k < kMostHalvings && most / n > scene.time.max_travel; ++k) n *= 2;
+    return n;
+}
+
+void add_to_totals(const StepReport& report, RunTotals& totals) {
+    ++totals.steps;
+    totals.steps_not_converged += report.converged ? 0 : 1;
+    totals.sweeps += static_cast<std::uint64_t>(report.sweeps);
+    totals.sweeps_max = std::max(totals.sweeps_max, report.sweeps);
+    totals.contact_updates += static_cast<std::uint64_t>(report.sweeps) * report.contacts;
+    totals.momentum_error_max = std::max(totals.momentum_error_max, report.momentum_error);
+    if (report.contacts == 0) return;
+    ++totals.steps_with_contacts;
+    totals.residual_sum += report.residual_rms;
+    totals.residual_max = std::max(totals.residual_max, report.residual_rms);
+    totals.penetration_max = std::max(totals.penetration_max, report.penetration.max);
+    totals.penetration_max_relative = std::max(totals.penetration_max_relative, report.penetration.max_relative);
+    totals.penetration_mean_sum += report.penetration.mean;
+    totals.penetration_mean_relative_sum += report.penetration.mean_relative;
+}
+
+// The worst of the substeps stands for the step.
+void merge(const StepReport& part, StepReport& whole) {
+    whole.bodies = part.bodies;
+    whole.contacts = part.contacts;
+    whole.active = part.active;
+    whole.step += part.step;
+    whole.sweeps += part.sweeps;
+    whole.residual_rms = std::max(whole.residual_rms, part.residual_rms);
+    whole.residual_max = std::max(whole.residual_max, part.residual_max);
+    whole.reference_velocity = part.reference_velocity;
+    whole.converged = whole.converged && part.converged;
+    whole.momentum_error = std::max(whole.momentum_error, part.momentum_error);
+    whole.penetration = part.penetration;
+}
+
+}  // namespace
+
+struct Stepper::Impl {
+    const Scene& scene;
+    const Plan& plan;
+    std::variant<Substep<Frictional>, Substep<Frictionless>> substep;
+    std::vector<WallLoad> loads;
+    double last_step = 0.0;
+
+    Impl(const Scene& s, const Plan& p) : scene(s), plan(p), substep(std::in_place_type<Substep<Frictionless>>, s, p) {
+        if (p.friction) substep.emplace<Substep<Frictional>>(s, p);
+        loads.resize(s.walls.size());
+    }
+    StepReport advance(State& state);
+};
+
+Stepper::Stepper(const Scene& scene, const Plan& plan) : impl_(std::make_unique<Impl>(scene, plan)) {}
+Stepper::~Stepper() = default;
+
+StepReport Stepper::Impl::advance(State& state) {
+    std::fill(loads.begin(), loads.end(), WallLoad{});
+    const int parts = substeps(scene, state);
+    if (parts > 1) ++state.totals.substepped;
+    const double begin = state.time, h = scene.time.step / parts;
+    StepReport whole;
+    for (int k = 0; k < parts; ++k) {
+        state.time = begin + k * h;
+        const StepReport part = std::visit([&](auto& s) { return s.advance(state, h, loads); }, substep);
+        add_to_totals(part, state.totals);
+        merge(part, whole);
+    }
+    ++state.step;
+    state.time = static_cast<double>(state.step) * scene.time.step;
+    last_step = scene.time.step;
+    bool changed = plan.outlets && take_bodies(scene, state);
+    changed = (plan.inlets && make_bodies(scene, plan, state)) || changed;
+    if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
+    update_energies(scene, state);
+    return whole;
+}
+
+StepReport Stepper::advance(State& state) {
+    return impl_->advance(state);
+}
+
+const std::vector<ContactRecord>& Stepper::contacts() const {
+    return std::visit([](const auto& s) -> const std::vector<ContactRecord>& { return s.records(); }, impl_->substep);
+}
+const std::vector<WallLoad>& Stepper::wall_loads() const {
+    return impl_->loads;
+}
+double Stepper::last_step() const {
+    return impl_->last_step;
+}
+std::size_t Stepper::bytes() const {
+    return std::visit([](const auto& s) { return s.bytes(); }, impl_->substep);
+}
+
+std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative) {
+    const Bodies& bodies = state.bodies;
+    std::vector<contact::Ball> balls(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Vec3& x = bodies.position[i];
+        balls[i] = {x.x(), x.y(), x.z(), bodies.radius[i]};
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    contact::CellGrid grid;
+    grid.find_pairs(balls, pairs);
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<Overlap> overlaps;
+    for (const auto& [i, j] : pairs) {
+        const contact::SphereGap g = contact::sphere_sphere(bodies.position[i], bodies.position[j],
+                                                            bodies.radius[i] + bodies.radius[j], Vec3::Zero());
+        if (-g.gap > relative * std::min(bodies.radius[i], bodies.radius[j]))
+            overlaps.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), -g.gap,
+                                bodies.position[i] - (bodies.radius[i] + 0.5 * g.gap) * g.normal});
+    }
+    for (std::uint32_t w = 0; w < scene.walls.size(); ++w) {
+        const Wall& wall = scene.walls[w];
+        if (!wall.present(state.time)) continue;
+        const WallPose pose = pose_at(wall.motion, state.time);
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            contact::WallContacts found;
+            contact::find_contacts(wall.shape, pose.to_local(bodies.position[i]), bodies.radius[i], 0.0, found);
+            for (int k = 0; k < found.count; ++k) {
+                const contact::WallContact& c = found.item[static_cast<std::size_t>(k)];
+                if (-c.gap > relative * bodies.radius[i])
+                    overlaps.push_back(
+                        {ContactKey::wall(bodies.id[i], WallIndex{w}, c.feature), -c.gap,
+                         bodies.position[i] - (bodies.radius[i] + 0.5 * c.gap) * (pose.rotation * c.normal)});
+            }
+        }
+    }
+    return overlaps;
+}
+
+}  // namespace scree::solvers

@@ -1,0 +1,70 @@
+// One step of Moreau and Jean's scheme of a given length: the method of solvers/stepper.hpp in one function.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "contact/candidate_list.hpp"
+#include "contact/find_contacts.hpp"
+#include "core/contact_record.hpp"
+#include "core/plan.hpp"
+#include "solvers/contact_problem.hpp"
+#include "solvers/gauss_seidel.hpp"
+#include "solvers/layout.hpp"
+#include "solvers/position_correction.hpp"
+#include "solvers/stepper.hpp"
+
+namespace scree::solvers {
+
+// Measures the phases of a step: lap(phase) gives the time since the last lap to that phase.
+class PhaseClock {
+  public:
+    explicit PhaseClock(RunTotals& totals) : totals_(totals) {}
+    void lap(Phase phase) {
+        const auto now = std::chrono::steady_clock::now();
+        totals_.wall_by_phase[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+  private:
+    RunTotals& totals_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+template <class Law>
+class Substep {
+  public:
+    Substep(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
+
+    // From state.time to state.time + step. Adds to the loads on the walls.
+    StepReport advance(State& state, double step, std::vector<WallLoad>& loads);
+    // Bodies came or went.
+    void bodies_changed();
+    const std::vector<ContactRecord>& records() const { return records_; }
+    std::size_t bytes() const;
+
+  private:
+    void find_contacts(State& state, const contact::StepTimes& times);
+    void set_up(State& state, const contact::StepTimes& times);
+    void keep_ledger(State& state, const contact::StepTimes& times, StepReport& report, std::vector<WallLoad>& loads);
+    void make_records(const State& state, const contact::StepTimes& times);
+
+    const Scene& scene_;
+    const Plan& plan_;
+    contact::CandidateList candidates_;
+    contact::ContactSet contacts_;
+    Layout layout_;
+    ContactProblem<Law> problem_;
+    PositionCorrection<Law> correction_;
+    double block_size_ = 0.0;             // [m]; 0: not chosen yet
+    std::vector<double> margin_;          // [m], n
+    std::vector<Vec3> wall_velocity_;     // [m/s], one a contact; empty without moving walls
+    std::vector<Vec3> impulse_;           // [N s], one a contact (friction)
+    std::vector<double> impulse_normal_;  // [N s], one a contact (no friction)
+    std::vector<ContactRecord> records_;
+};
+
+extern template class Substep<Frictional>;
+extern template class Substep<Frictionless>;
+
+}  // namespace scree::solvers

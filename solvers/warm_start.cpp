@@ -1,0 +1,42 @@
+#include "solvers/warm_start.hpp"
+
+namespace scree::solvers {
+
+void match_warm_start(const contact::ContactSet& contacts, const WarmStart& last, double step, bool frictional,
+                      std::vector<Vec3>& impulse, std::vector<double>& normal) {
+    const double ratio = last.step > 0.0 ? step / last.step : 1.0;
+    if (frictional)
+        impulse.assign(contacts.size(), Vec3::Zero());
+    else
+        normal.assign(contacts.size(), 0.0);
+    std::size_t k = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        while (k < last.key.size() && last.key[k] < contacts[c].key) ++k;
+        if (k == last.key.size()) return;
+        if (last.key[k] != contacts[c].key) continue;
+        if (!frictional) {
+            normal[c] = ratio * last.impulse_normal[k];
+        } else if (last.impulse_vector[k].dot(contacts[c].normal) > 0.0) {
+            impulse[c] = ratio * last.impulse_vector[k];
+        }
+    }
+}
+
+void keep_for_warm_start(const contact::ContactSet& contacts, const std::vector<Vec3>& impulse,
+                         const std::vector<double>& normal, double step, WarmStart& kept) {
+    kept.key.clear();
+    kept.impulse_vector.clear();
+    kept.impulse_normal.clear();
+    kept.step = step;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (!impulse.empty() && !impulse[c].isZero(0.0)) {
+            kept.key.push_back(contacts[c].key);
+            kept.impulse_vector.push_back(impulse[c]);
+        } else if (!normal.empty() && normal[c] != 0.0) {
+            kept.key.push_back(contacts[c].key);
+            kept.impulse_normal.push_back(normal[c]);
+        }
+    }
+}
+
+}  // namespace scree::solvers
