@@ -1,7 +1,6 @@
 #include "io/quantity.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -131,17 +130,15 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     text = trimmed(text);
     const Leading leading = leading_number(text);
     if (leading.length == 0 || leading.length == text.size()) return parse_number(text);
-    if (dimension == Dimension::none) return {{}, fmt::format("'{}' is not a plain number (it has no unit)", text)};
+    if (dimension == Dimension::none) return {{}, fmt::format("'{}' is not a number without unit", text)};
     if (!leading.number.value) return leading.number;
 
     std::string name(trimmed(text.substr(leading.length)));
     std::erase(name, '^');
     const auto* unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == name; });
-    const std::string expected =
-        fmt::format("expected a {} ({})", dimension_name(dimension), fmt::join(units_of(dimension), ", "));
-    if (unit == kUnits.end()) return {{}, fmt::format("'{}' is not a unit; {}", name, expected)};
+    if (unit == kUnits.end()) return {{}, fmt::format("'{}' is not a unit", name)};
     if (unit->dimension != dimension) {
-        return {{}, fmt::format("'{}' is a {}; {}", text, dimension_name(unit->dimension), expected)};
+        return {{}, fmt::format("'{}' is a {}", text, dimension_name(unit->dimension))};
     }
     const double value = *leading.number.value * unit->up / unit->down;
     if (!std::isfinite(value)) return {{}, fmt::format("{} is beyond the range of double precision", text)};

@@ -43,6 +43,10 @@ Row Row::unique() && {
     is_unique = true;
     return std::move(*this);
 }
+Row Row::naming_file() && {
+    is_file = true;
+    return std::move(*this);
+}
 Row Row::naming(std::string key) && {
     refers_to = std::move(key);
     return std::move(*this);
@@ -90,6 +94,7 @@ class Tree {
     void add(const Row& row) {
         SchemaNode& node = nodes_.emplace_back();
         node.row = &row;
+        node.variant_key = row.variant_key;
         if (!by_path_.emplace(row.path, &node).second) {
             throw InternalError(fmt::format("the schema table has two rows for '{}'", row.path));
         }
@@ -119,6 +124,7 @@ class Tree {
         const SchemaNode& shared = node_at(node.row->same_as);
         const auto& only = node.row->only;
         node.keys = shared.keys;
+        node.variant_key = shared.variant_key;
         for (const SchemaNode* form : shared.variants) {
             if (only.empty() || std::find(only.begin(), only.end(), form->key) != only.end())
                 node.variants.push_back(form);

@@ -71,8 +71,9 @@ struct Row {
     std::string same_as;               // the shared section whose keys these are
     std::vector<std::string> only;     // of the shared section's forms, those allowed here; empty: all
     std::string refers_to;             // the text is a name defined under this key ("materials", "walls")
-    bool is_unique = false;            // no two items of the list may have the same text here
+    bool is_unique = false;            // the text is the item's name: short, and no other item's
     bool is_nonzero = false;           // the vector must have a length
+    bool is_file = false;              // the text is the path of a file, relative to the file that names it
     std::string doc;                   // meaning, and what happens when it is changed
 
     Row in(Range r) &&;
@@ -81,6 +82,7 @@ struct Row {
     Row or_else(std::string meaning) &&;
     Row nonzero() &&;
     Row unique() &&;
+    Row naming_file() &&;
     Row naming(std::string key) &&;
     Row picked_by(std::string key) &&;
     Row like(std::string shared, std::vector<std::string> forms = {}) &&;
@@ -103,6 +105,7 @@ struct SchemaNode {
     std::string key;                          // last part of the path; the form's name of a variant
     std::vector<const SchemaNode*> keys;      // in the order of the table; of list and named: those of each item
     std::vector<const SchemaNode*> variants;  // forms; their keys come after the common ones
+    std::string variant_key;                  // picks the form; "" if there are none
     std::vector<const Rule*> rules;
 
     const SchemaNode* find_key(std::string_view name) const;

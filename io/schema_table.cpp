@@ -415,6 +415,7 @@ Rows body_rows() {
             .says("Bodies from a text file, one a line, numbers separated by blanks, `#` begins a comment."),
         text("bodies[file].path")
             .required()
+            .naming_file()
             .says("The file; a relative path starts at the folder of the scenario that names it."),
         choices("bodies[file].columns",
                 {"x", "y", "z", "r", "d", "vx", "vy", "vz", "wx", "wy", "wz", "material", "skip"})
