@@ -1,0 +1,18 @@
+"""What the program says about itself, where it has been built."""
+import os
+import re
+import subprocess
+
+PROGRAM = os.environ.get("SCREE_PROGRAM", "")
+COMMANDS = ["run", "check", "info", "compare", "explain", "schema"]
+
+
+def help_of(*arguments):
+    result = subprocess.run([PROGRAM, *arguments, "--help"], capture_output=True, text=True, check=True)
+    return result.stdout
+
+
+def long_options(command):
+    """The options of a command by its help: of the lines that begin with one, not of the examples."""
+    lines = [line for line in help_of(command).splitlines() if re.match(r"^\s+-", line)]
+    return {option for line in lines for option in re.findall(r"--[a-z-]+", line.split("  ")[1] if "  " in line else line)}

@@ -1,0 +1,74 @@
+"""What all pictures of a run have in common: the part of space that they show and the range of the colours. Goes over
+the snapshots one at a time."""
+import numpy as np
+
+from .errors import PictureError
+from .snapshots import Snapshot
+from .walls import extent_of
+
+FROM_ZERO = ("speed", "spin")  # fields whose colours start at zero
+
+
+class Survey:
+    def __init__(self, paths, name):
+        """`name`: the field, None for the speed (the radius where no velocities were written)."""
+        self.lower, self.upper = np.full(3, np.inf), np.full(3, -np.inf)
+        self.low, self.high = np.inf, -np.inf
+        self.field_name = name
+        walls = {}
+        for path in paths:
+            snapshot = Snapshot(path)
+            if self.field_name is None:
+                self.field_name = "speed" if "speed" in snapshot.available_fields() else "radius"
+            field = snapshot.field(self.field_name)
+            self.take_bodies(snapshot)
+            self.take_values(field)
+            for wall in snapshot.walls:
+                walls.setdefault((wall.name, wall.rotation.tobytes(), wall.translation.tobytes()), wall)
+        self.take_walls(walls.values())
+        self.finish(field)
+
+    def take_bodies(self, snapshot):
+        if len(snapshot.radius) == 0:
+            return
+        if not np.isfinite(snapshot.position).all():
+            raise PictureError(f"{snapshot.path} has positions that are not finite")
+        # A few bodies that rolled far away must not make the others small.
+        share = 0.1 if len(snapshot.radius) > 1000 else 0.0
+        radius = snapshot.radius[:, None]
+        self.lower = np.minimum(self.lower, np.percentile(snapshot.position - radius, share, axis=0))
+        self.upper = np.maximum(self.upper, np.percentile(snapshot.position + radius, 100.0 - share, axis=0))
+
+    def take_values(self, field):
+        """All but the largest half percent, so that one fast body does not make the rest dark."""
+        values = field.values[np.isfinite(field.values)]
+        if len(values) == 0:
+            return
+        if field.signed:
+            high = float(np.percentile(abs(values), 99.5))
+            self.low, self.high = min(self.low, -high), max(self.high, high)
+        elif field.name in FROM_ZERO:
+            self.low, self.high = 0.0, max(self.high, float(np.percentile(values, 99.5)))
+        else:
+            self.low, self.high = min(self.low, float(values.min())), max(self.high, float(values.max()))
+
+    def take_walls(self, walls):
+        """Bounded walls are shown whole unless they are much larger than what the bodies reach."""
+        any_body = bool(np.isfinite(self.lower).all())
+        lower, upper = self.lower, self.upper
+        size = float(np.max(upper - lower)) if any_body else np.inf
+        for low, high in filter(None, (extent_of(wall, 4.0 * size) for wall in walls)):
+            self.lower = np.minimum(self.lower, np.maximum(low, lower - 0.35 * size) if any_body else low)
+            self.upper = np.maximum(self.upper, np.minimum(high, upper + 0.35 * size) if any_body else high)
+
+    def finish(self, field):
+        if not np.isfinite(self.lower).all():  # no bodies and nothing but endless walls
+            self.lower, self.upper = np.full(3, -0.5), np.full(3, 0.5)
+        least = 0.05 * max(float(np.max(self.upper - self.lower)), 1e-12)  # a thickness for flat scenes
+        thin = self.upper - self.lower < least
+        self.lower, self.upper = np.where(thin, self.lower - 0.5 * least, self.lower), np.where(
+            thin, self.upper + 0.5 * least, self.upper)
+        if not self.low <= self.high:  # no values
+            self.low, self.high = 0.0, 1.0
+        if field.signed and self.high == 0.0:
+            self.low, self.high = -1.0, 1.0

@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""Draws the history of a run on one page: flow rates, energies, residual, penetration, forces, time by phase."""
+import argparse
+import pathlib
+
+from pictures import errors, runs
+from pictures.errors import PictureError
+from pictures.panels import choose
+from pictures.style import GREY, plt
+
+COLUMNS = 3
+
+
+def headline(history, summary):
+    """Title and a line of facts."""
+    title = summary.get("title") or runs.text_of(history.attributes.get("title", "")) or "Run"
+    facts = []
+    for key, words in (("bodies", "{:,} bodies"), ("steps", "{:,} steps"), ("simulated_time", "{:.4g} s simulated"),
+                       ("wall_time", "{:.4g} s of wall time")):
+        value = summary.get(key)
+        if isinstance(value, dict):
+            value = value.get("end", value.get("count", value.get("total")))
+        if isinstance(value, (int, float)):
+            facts.append(words.format(value).replace(",", "\u2009"))
+    if not summary:
+        facts.append("no summary yet: the run has not ended")
+    elif summary.get("status", "complete") != "complete":
+        facts.append(f"status: {summary['status']}")
+    return title, "     ".join(facts)
+
+
+def draw(run, target):
+    history = runs.History(run / "history.h5")
+    summary = runs.read_summary(run)
+    panels = choose(history, summary)
+    if not panels:
+        raise PictureError(f"{run / 'history.h5'} has only the columns {', '.join(history.columns)}: nothing to draw")
+    columns = min(COLUMNS, len(panels))
+    rows = -(-len(panels) // columns)
+    figure, grid = plt.subplots(rows, columns, figsize=(4.6 * columns, 2.9 * rows + 0.8), squeeze=False,
+                                layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12, rect=(0, 0, 1, 1 - 0.62 / (2.9 * rows + 0.8)))
+    for axes, panel in zip(grid.flat, panels):
+        panel(axes, history, summary)
+    for axes in list(grid.flat)[len(panels):]:
+        axes.set_visible(False)
+    title, facts = headline(history, summary)
+    height = figure.get_figheight()
+    figure.text(0.012, 1 - 0.16 / height, title, fontsize=14, fontweight="bold", va="top")
+    figure.text(0.012, 1 - 0.45 / height, facts, fontsize=9.5, color=GREY, va="top")
+    try:
+        figure.savefig(target, dpi=110)
+    except OSError as error:
+        raise PictureError(f"{target} cannot be written ({error.strerror or error})") from error
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("run", metavar="RUN", help="folder of a run")
+    parser.add_argument("-o", "--output", metavar="FILE.png", help="picture to write (RUN/run.png)")
+    options = parser.parse_args()
+    run = runs.require_run(options.run)
+    target = pathlib.Path(options.output) if options.output else run / "run.png"
+    draw(run, target)
+    print(target)
+    return 0
+
+
+if __name__ == "__main__":
+    errors.run(main)
