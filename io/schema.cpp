@@ -11,11 +11,10 @@
 namespace scree::io {
 
 std::string Range::text() const {
-    const bool below = lower > -std::numeric_limits<double>::infinity();
-    if (below && bounded_above()) {
+    if (bounded_below() && bounded_above()) {
         return above_lower ? fmt::format("> {} and <= {}", lower, upper) : fmt::format("{} to {}", lower, upper);
     }
-    if (below) return fmt::format("{} {}", above_lower ? ">" : ">=", lower);
+    if (bounded_below()) return fmt::format("{} {}", above_lower ? ">" : ">=", lower);
     return bounded_above() ? fmt::format("<= {}", upper) : std::string();
 }
 

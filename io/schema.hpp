@@ -44,7 +44,7 @@ struct Range {
     bool above_lower = false;  // the lower bound itself is out
 
     bool contains(double x) const { return (above_lower ? x > lower : x >= lower) && x <= upper; }
-    bool bounded() const { return lower > -std::numeric_limits<double>::infinity() || bounded_above(); }
+    bool bounded_below() const { return lower > -std::numeric_limits<double>::infinity(); }
     bool bounded_above() const { return upper < std::numeric_limits<double>::infinity(); }
     std::string text() const;  // "> 0", "0 to 1"
 };
