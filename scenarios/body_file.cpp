@@ -169,14 +169,8 @@ std::vector<Column> read_columns(const io::Node& node, const Context& context) {
     return columns;
 }
 
-// A relative path starts at the folder of the file that names it.
 std::string resolve(const io::Node& path, const Context& context) {
-    const std::filesystem::path given = path.text();
-    if (given.is_absolute()) return given.string();
-    std::filesystem::path folder = context.folder;
-    const std::filesystem::path including = path.mark.file;
-    if (path.mark.line > 0 && std::filesystem::exists(including)) folder = including.parent_path();
-    return (folder / given).lexically_normal().string();
+    return (std::filesystem::path(context.folder) / path.text()).lexically_normal().string();
 }
 
 }  // namespace
