@@ -24,7 +24,7 @@ void contact_margins(const Scene& scene, const State& state, const StepTimes& ti
     margin.resize(bodies.size());
     const double half = 0.5 * times.step * std::max(1.0, scene.solver.look_ahead);
     const double fall = times.step * scene.gravity.at(times.middle()).norm();
-    for (std::size_t i = 0; i < bodies.size(); ++i) margin[i] = half * (bodies.velocity[i].norm() + fall);
+    for (std::size_t i = 0; i < bodies.size(); ++i) margin[i] = half * bodies.velocity[i].norm() + times.step * fall;
 }
 
 void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,
@@ -46,7 +46,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
         const Vec3& v = bodies.velocity[i];
         for (const std::uint32_t j : candidates.partners(i)) {
             const Vec3 relative = v - bodies.velocity[j];
-            const double reach = look * (relative.norm() + step.resting_speed);
+            const double reach = look * relative.norm() + h * step.resting_speed;
             const SphereGap pair = sphere_sphere(x, bodies.position[j], radius + bodies.radius[j], relative);
             if (pair.gap > std::max(reach, 0.5 * h * relative.norm())) continue;
             const PairLaw& law = scene.pairs(bodies.material[i], bodies.material[j]);
@@ -63,7 +63,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
             if (!frame[w].present) continue;
             const Wall& wall = scene.walls[w];
             const PairLaw& law = scene.pairs(bodies.material[i], wall.material);
-            const double margin = 0.5 * h * (v.norm() + step.resting_speed) * std::max(1.0, scene.solver.look_ahead) +
+            const double margin = 0.5 * h * v.norm() * std::max(1.0, scene.solver.look_ahead) + h * step.resting_speed +
                                   (frame[w].moves ? radius : 0.0);
             WallContacts found;
             find_contacts(wall.shape, frame[w].moves ? frame[w].pose.to_local(x) : x, radius, margin, found);
@@ -75,7 +75,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
                     relative -= mean_velocity(wall.motion, x - (radius + 0.5 * c.gap) * normal, times.begin, h);
                 const double approach = relative.dot(normal);
                 const double free_approach = approach + h * gravity.dot(normal);
-                const double reach = look * (relative.norm() + step.resting_speed);
+                const double reach = look * relative.norm() + h * step.resting_speed;
                 double bias = 0.0;
                 if (!impact_law({c.gap, approach, free_approach, law.restitution, kTouch * radius, reach}, step, bias))
                     continue;
