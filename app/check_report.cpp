@@ -1,0 +1,133 @@
+#include "app/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/human_text.hpp"
+#include "app/output_schedule.hpp"
+#include "solvers/measures.hpp"
+
+namespace scree::app {
+namespace {
+
+// Monodisperse spheres at rest with friction touch 4 to 6 others: 2 to 3 contacts a body; those that are near count
+// too.
+constexpr double kContactsPerBody = 3.0;
+
+double snapshot_bytes_per_body(const OutputSettings& output) {
+    double bytes = 8.0 + 24.0 + 8.0;  // id, position, radius
+    for (const std::string& field : output.fields) {
+        if (field == "velocity" || field == "spin") bytes += 24.0;
+        if (field == "orientation") bytes += 32.0;
+        if (field == "mass") bytes += 8.0;
+        if (field == "material") bytes += 2.0;
+    }
+    return bytes;
+}
+
+std::string wall_shape(const Wall& wall) {
+    static constexpr std::array<const char*, std::variant_size_v<WallShape>> kNames = {
+        "plane", "box", "cylinder", "cone", "disc", "floor with a round hole", "floor with a slot"};
+    std::string text = kNames[wall.shape.index()];
+    if (wall.motion.moves()) text += ", moves";
+    if (wall.appears > 0.0) text += fmt::format(", from {:.4g} s", wall.appears);
+    if (wall.goes < kForever) text += fmt::format(", until {:.4g} s", wall.goes);
+    return text;
+}
+
+std::string bodies_lines(const Scene& scene, const State& state) {
+    const Bodies& bodies = state.bodies;
+    if (bodies.size() == 0) return "  bodies      none at the start\n";
+    double mass = 0.0;
+    Vec3 lower = bodies.position.front(), upper = lower;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        mass += bodies.mass[i];
+        lower = lower.cwiseMin(bodies.position[i]);
+        upper = upper.cwiseMax(bodies.position[i]);
+    }
+    const auto [small, large] = std::minmax_element(bodies.radius.begin(), bodies.radius.end());
+    std::string text = fmt::format("  bodies      {}, {:.5g} kg\n", plural(bodies.size(), "body", "bodies"), mass);
+    text += *small == *large
+                ? fmt::format("  diameter    {}\n", length_text(2.0 * *small))
+                : fmt::format("  diameters   {} to {}\n", length_text(2.0 * *small), length_text(2.0 * *large));
+    return text +
+           fmt::format("  centres     {} to {}\n", point_text(scene.origin + lower), point_text(scene.origin + upper));
+}
+
+std::string scene_lines(const Scene& scene) {
+    std::string text;
+    for (const Wall& wall : scene.walls) {
+        text += fmt::format("  wall        {}: {}\n", wall.name, wall_shape(wall));
+    }
+    for (const Inlet& inlet : scene.inlets) {
+        text += fmt::format("  inlet       {}: {:.4g} kg/s\n", inlet.name, inlet.mass_rate);
+    }
+    for (const Outlet& outlet : scene.outlets) text += fmt::format("  outlet      {}\n", outlet.name);
+    for (const Measure& measure : scene.measures) {
+        text +=
+            fmt::format("  measure     {}, mean over {:.4g} to {:.4g} s\n", measure.name, measure.from, measure.until);
+    }
+    return text;
+}
+
+std::string time_line(const Scene& scene, const OutputSchedule& schedule) {
+    std::string text = fmt::format("  time        {:.6g} s in {} of {:.4g} s\n", scene.time.end,
+                                   plural(schedule.steps, "step", "steps"), scene.time.step);
+    const double reached = static_cast<double>(schedule.steps) * scene.time.step;
+    if (reached > scene.time.end * (1.0 + 1e-9)) {
+        text +=
+            fmt::format("              (time.end is no multiple of time.step: the run ends at {:.9g} s)\n", reached);
+    }
+    return text;
+}
+
+}  // namespace
+
+CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& state) {
+    const OutputSchedule schedule(scene.time, scene.output);
+    const auto bodies = static_cast<double>(state.bodies.size());
+    CostEstimate cost;
+    cost.contacts = kContactsPerBody * bodies;
+    cost.memory =
+        static_cast<double>(plan.bytes_per_body) * bodies + static_cast<double>(plan.bytes_per_contact) * cost.contacts;
+    cost.snapshot = snapshot_bytes_per_body(scene.output) * bodies;
+    if (scene.output.contacts)
+        cost.snapshot += 117.0 * cost.contacts;  // ids, point, normal, gap, impulse, force, status
+    cost.snapshots = cost.snapshot * static_cast<double>(schedule.snapshots());
+    double columns = 0.0;
+    for (const HistoryColumn& column : solvers::history_columns(scene)) columns += column.width;
+    cost.history = 8.0 * columns * static_cast<double>(schedule.history_rows());
+    cost.checkpoint = 90.0 * bodies + (plan.friction ? 44.0 : 28.0) * cost.contacts;
+    return cost;
+}
+
+std::string check_report(const std::string& scenario_name, const Scene& scene, const Plan& plan, const State& state,
+                         const std::vector<std::string>& warnings) {
+    const OutputSchedule schedule(scene.time, scene.output);
+    std::string text = fmt::format("{}: valid\n", scenario_name);
+    if (!scene.title.empty()) text += fmt::format("  title       {}\n", scene.title);
+    text += bodies_lines(scene, state) + scene_lines(scene) + time_line(scene, schedule);
+
+    text += "plan (what the scene does not need is neither stored nor computed)\n";
+    for (const PlanLine& line : plan.lines) {
+        text += fmt::format("  {}  {:<16} {}\n", line.on ? "on " : "off", line.feature, line.reason);
+    }
+    const CostEstimate cost = estimate_cost(scene, plan, state);
+    text += "cost (estimates; files before compression)\n";
+    text += fmt::format("  memory      {} bytes a body, {} bytes a contact: about {} with {} contacts\n",
+                        plan.bytes_per_body, plan.bytes_per_contact, bytes_text(cost.memory),
+                        count_text(static_cast<std::uint64_t>(cost.contacts)));
+    text += fmt::format("  snapshots   {}, {} each: {}\n", count_text(schedule.snapshots()), bytes_text(cost.snapshot),
+                        bytes_text(cost.snapshots));
+    text +=
+        fmt::format("  history     {}: {}\n", plural(schedule.history_rows(), "row", "rows"), bytes_text(cost.history));
+    text += fmt::format("  checkpoints the last two, {} each\n", bytes_text(cost.checkpoint));
+    if (warnings.empty()) return text + "no warnings\n";
+    text += warnings.size() == 1 ? "warning\n" : "warnings\n";
+    for (const std::string& warning : warnings) text += "  - " + warning + "\n";
+    return text;
+}
+
+}  // namespace scree::app

@@ -1,0 +1,27 @@
+// What `scree check` prints: what a scenario holds, what it leaves out, and what a run would cost in memory and disk.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/plan.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+
+namespace scree::app {
+
+// Rough sizes in bytes, without compression. `contacts`: expected in a dense bed.
+struct CostEstimate {
+    double contacts = 0.0;
+    double memory = 0.0;
+    double snapshot = 0.0;
+    double snapshots = 0.0;  // all of them
+    double history = 0.0;
+    double checkpoint = 0.0;  // one; two are kept
+};
+CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& state);
+
+std::string check_report(const std::string& scenario_name, const Scene& scene, const Plan& plan, const State& state,
+                         const std::vector<std::string>& warnings);
+
+}  // namespace scree::app

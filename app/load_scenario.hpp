@@ -1,0 +1,40 @@
+// From a scenario file (or the text that a checkpoint holds) and --set to a checked tree, for `run` and `check`.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene.hpp"
+#include "core/state.hpp"
+#include "io/diagnostics.hpp"
+#include "io/scenario_node.hpp"
+
+namespace scree::app {
+
+struct LoadedScenario {
+    io::Node root;
+    std::string name;                              // the file as given
+    std::string text;                              // as read
+    std::string resolved;                          // YAML with every default and override
+    std::string folder;                            // relative paths in the scenario start here
+    std::shared_ptr<io::Diagnostics> diagnostics;  // knows the source lines; collects the warnings
+};
+
+// Throw ScenarioError with all faults at once.
+LoadedScenario load_scenario(const std::string& path, const std::vector<std::string>& sets);
+// `resolved` as another run wrote it; `name` for messages.
+LoadedScenario load_resolved(const std::string& resolved, const std::string& name,
+                             const std::vector<std::string>& sets);
+
+struct BuiltScenario {
+    Scene scene;
+    State state;  // at time 0, ledger started
+};
+BuiltScenario build_scenario(const LoadedScenario& scenario);
+// Writes an origin that was chosen automatically into the scenario, so that a resumed run has the same one.
+void set_origin(LoadedScenario& scenario, const Vec3& origin);
+// The scene alone, for a state that comes from a checkpoint. The scenario must have its origin.
+Scene build_scene_only(const LoadedScenario& scenario);
+
+}  // namespace scree::app

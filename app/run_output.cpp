@@ -1,0 +1,129 @@
+#include "app/run_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/state_hash.hpp"
+#include "io/atomic_file.hpp"
+#include "io/checkpoint.hpp"
+
+namespace scree::app {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kCheckpointBytesPerSecond = 20e6;  // a cautious guess, used until the first one is measured
+
+double seconds_since(std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+// Adds the time of a block to the phase `output`.
+class OutputTimer {
+  public:
+    explicit OutputTimer(State& state) : state_(state), start_(std::chrono::steady_clock::now()) {}
+    ~OutputTimer() { state_.totals.wall_by_phase[static_cast<std::size_t>(Phase::output)] += seconds_since(start_); }
+    OutputTimer(const OutputTimer&) = delete;
+    OutputTimer& operator=(const OutputTimer&) = delete;
+
+  private:
+    State& state_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+io::HistoryWriter open_history(const RunFolder& folder, const State& state, std::vector<HistoryColumn> columns,
+                               const io::Provenance& provenance, bool resumed) {
+    const std::string path = folder.history().string();
+    if (resumed) return io::HistoryWriter::resume(path, std::move(columns), state.history_rows, provenance);
+    return io::HistoryWriter::create(path, std::move(columns), provenance);
+}
+
+// Snapshots that lie after the checkpoint are made again, perhaps at other times: none may stay behind.
+io::SnapshotSeries open_snapshots(const RunFolder& folder, const State& state) {
+    for (const std::string& file : io::list_snapshots(folder.path().string())) {
+        if (std::stoull(fs::path(file).stem().string()) >= state.snapshots_written) fs::remove(file);
+    }
+    return io::SnapshotSeries(folder.path().string(), state.snapshots_written);
+}
+
+}  // namespace
+
+RunOutput::RunOutput(const RunFolder& folder, const Scene& scene, const State& state,
+                     std::vector<HistoryColumn> columns, io::Provenance provenance, bool resumed, Console& console)
+    : folder_(folder),
+      console_(console),
+      provenance_(std::move(provenance)),
+      history_(open_history(folder, state, std::move(columns), provenance_, resumed)),
+      snapshots_(open_snapshots(folder, state)),
+      log_(folder.run_log().string(), resumed),
+      checkpoint_interval_(scene.output.checkpoint_interval),
+      wall_before_(state.totals.wall_time),
+      start_(Clock::now()),
+      last_checkpoint_time_(start_),
+      longest_checkpoint_(200.0 * static_cast<double>(state.bodies.size()) / kCheckpointBytesPerSecond),
+      sweeps_logged_(state.totals.sweeps),
+      steps_logged_(state.totals.steps) {
+    log_.provenance(provenance_);
+}
+
+void RunOutput::update_wall_time(State& state) const {
+    state.totals.wall_time = wall_before_ + seconds_since(start_);
+}
+
+void RunOutput::history_row(State& state, const std::vector<double>& row) {
+    const OutputTimer timer(state);
+    history_.append(row);
+    ++state.history_rows;
+    history_.flush_if_due();
+}
+
+void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts) {
+    const OutputTimer timer(state);
+    snapshots_.write(scene, state, contacts, provenance_);
+    console_.detail(fmt::format("t = {:.6g} s: snapshot {:06}", state.time, state.snapshots_written - 1));
+}
+
+void RunOutput::checkpoint(State& state) {
+    const Clock::time_point begin = Clock::now();
+    {
+        const OutputTimer timer(state);
+        history_.flush();
+    }
+    update_wall_time(state);
+    const bool first = last_checkpoint_.empty();
+    last_checkpoint_ = io::write_checkpoint(folder_.checkpoints().string(), state, provenance_);
+    last_checkpoint_time_ = Clock::now();
+    longest_checkpoint_ = first ? seconds_since(begin) : std::max(longest_checkpoint_, seconds_since(begin));
+    console_.detail(fmt::format("t = {:.6g} s: checkpoint {}", state.time, last_checkpoint_));
+}
+
+bool RunOutput::checkpoint_due() const {
+    return checkpoint_interval_ > 0.0 && seconds_since(last_checkpoint_time_) >= checkpoint_interval_;
+}
+
+void RunOutput::log_progress(const State& state, const StepReport& report) {
+    io::Progress record;
+    record.time = state.time;
+    record.step = state.step;
+    record.bodies = state.bodies.size();
+    record.contacts = report.contacts;
+    const std::uint64_t steps = state.totals.steps - steps_logged_;
+    if (steps > 0)
+        record.sweeps = static_cast<double>(state.totals.sweeps - sweeps_logged_) / static_cast<double>(steps);
+    record.residual = report.residual_rms;
+    record.penetration = report.penetration.max;
+    record.kinetic_energy = state.ledger.kinetic;
+    for (const double mass : state.bodies.mass) record.mass += mass;
+    record.wall_time = wall_before_ + seconds_since(start_);
+    record.wall_by_phase = state.totals.wall_by_phase;
+    log_.progress(record);
+    steps_logged_ = state.totals.steps;
+    sweeps_logged_ = state.totals.sweeps;
+}
+
+void RunOutput::log_status(const State& state, const std::string& status, const std::string& reason) {
+    log_.status(status, reason, state.time, state.step, state_hash(state.bodies));
+}
+
+}  // namespace scree::app

@@ -1,0 +1,61 @@
+// What a run writes to its folder: snapshots, history, checkpoints, run.jsonl, summary. Wraps io/ with the order that
+// keeps them consistent (history on the disk before each checkpoint) and counts the time that it takes.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "app/console.hpp"
+#include "app/run_folder.hpp"
+#include "core/contact_record.hpp"
+#include "core/measure.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+#include "io/history.hpp"
+#include "io/provenance.hpp"
+#include "io/run_log.hpp"
+#include "io/snapshot.hpp"
+
+namespace scree::app {
+
+class RunOutput {
+  public:
+    // Opens the files; `resumed`: goes on with those of the folder, cut back to where `state` stands.
+    RunOutput(const RunFolder& folder, const Scene& scene, const State& state, std::vector<HistoryColumn> columns,
+              io::Provenance provenance, bool resumed, Console& console);
+
+    void history_row(State& state, const std::vector<double>& row);
+    void snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts);
+    // Also brings the history to the disk.
+    void checkpoint(State& state);
+    bool checkpoint_due() const;
+    void log_progress(const State& state, const StepReport& report);
+    void log_status(const State& state, const std::string& status, const std::string& reason);
+    void flush_history() { history_.flush(); }
+
+    // [s] the longest that a checkpoint took; at the start a guess from the size of the state.
+    double longest_checkpoint() const { return longest_checkpoint_; }
+    bool has_checkpoint() const { return !last_checkpoint_.empty(); }
+    const io::SnapshotSeries& snapshots() const { return snapshots_; }
+    const io::Provenance& provenance() const { return provenance_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void update_wall_time(State& state) const;
+
+    const RunFolder& folder_;
+    Console& console_;
+    io::Provenance provenance_;
+    io::HistoryWriter history_;
+    io::SnapshotSeries snapshots_;
+    io::RunLog log_;
+    double checkpoint_interval_;
+    double wall_before_;  // [s] of the earlier parts of a resumed run
+    Clock::time_point start_, last_checkpoint_time_;
+    std::string last_checkpoint_;
+    double longest_checkpoint_;
+    std::uint64_t sweeps_logged_, steps_logged_;
+};
+
+}  // namespace scree::app

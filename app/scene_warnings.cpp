@@ -1,0 +1,95 @@
+#include "app/scene_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/human_text.hpp"
+#include "solvers/stepper.hpp"
+
+namespace scree::app {
+namespace {
+
+constexpr double kOverlapShown = 0.01;  // of the smaller radius
+constexpr double kTravelShown = 0.1;    // diameters in a step
+constexpr double kFallShown = 0.1;      // of sqrt(d / g), the time in which a body falls half its diameter, / sqrt 2
+
+std::string side_name(const Scene& scene, const ContactKey& key) {
+    if (!key.is_wall()) return fmt::format("body {}", key.b);
+    return fmt::format("wall '{}'", scene.walls[raw(key.wall_index())].name);
+}
+
+// Largest speed that the prescribed motion gives a wall at the places where bodies are now [m/s].
+double wall_speed(const WallMotion& motion, const Bodies& bodies) {
+    double lever = 0.0;
+    if (motion.rate != 0.0) {
+        for (const Vec3& x : bodies.position) lever = std::max(lever, (x - motion.centre).cross(motion.axis).norm());
+    }
+    return motion.velocity.norm() + 2.0 * std::numbers::pi * std::abs(motion.frequency) * motion.amplitude.norm() +
+           std::abs(motion.rate) * lever;
+}
+
+}  // namespace
+
+std::vector<std::string> overlap_warnings(const Scene& scene, const State& state) {
+    const std::vector<solvers::Overlap> overlaps = solvers::find_overlaps(scene, state, kOverlapShown);
+    if (overlaps.empty()) return {};
+    const auto worst = std::max_element(overlaps.begin(), overlaps.end(),
+                                        [](const auto& a, const auto& b) { return a.depth < b.depth; });
+    return {fmt::format(
+        "at the start {} deeper than 1 % of the smaller radius; the worst: body {} and {}, {} at {}. The correction "
+        "moves them apart, but a packing that starts without overlaps is better.",
+        overlaps.size() == 1 ? "1 pair overlaps" : count_text(overlaps.size()) + " pairs overlap", worst->key.a,
+        side_name(scene, worst->key), length_text(worst->depth), point_text(scene.origin + worst->point))};
+}
+
+std::vector<std::string> step_warnings(const Scene& scene, const State& state) {
+    std::vector<std::string> warnings;
+    const Bodies& bodies = state.bodies;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double r : bodies.radius) smallest = std::min(smallest, 2.0 * r);
+    for (const Inlet& inlet : scene.inlets) smallest = std::min(smallest, smallest_diameter(inlet.size));
+    if (!std::isfinite(smallest)) return warnings;
+
+    const double step = scene.time.step;
+    const double g = scene.gravity.max_norm();
+    if (g > 0.0 && step > kFallShown * std::sqrt(smallest / g)) {
+        warnings.push_back(fmt::format(
+            "the time step of {:.3g} s is long for the smallest bodies (d = {}): sqrt(d/g) is {:.3g} s, and a step "
+            "should be well below a tenth of it",
+            step, length_text(smallest), std::sqrt(smallest / g)));
+    }
+    double speed = 0.0;
+    std::string whose;
+    const auto note = [&](double v, const std::string& name) {
+        if (v > speed) {
+            speed = v;
+            whose = name;
+        }
+    };
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.velocity[i].norm() > speed)
+            note(bodies.velocity[i].norm(), fmt::format("body {}", raw(bodies.id[i])));
+    }
+    for (const Inlet& inlet : scene.inlets) note(inlet.velocity.norm(), fmt::format("inlet '{}'", inlet.name));
+    for (const Wall& wall : scene.walls) note(wall_speed(wall.motion, bodies), fmt::format("wall '{}'", wall.name));
+    if (speed * step > kTravelShown * smallest) {
+        warnings.push_back(
+            fmt::format("in one step of {:.3g} s {} moves {} at {:.3g} m/s: {:.2g} diameters of the smallest body. "
+                        "Errors of the time "
+                        "stepping grow with this number; below {} is good.",
+                        step, whose, length_text(speed * step), speed, speed * step / smallest, kTravelShown));
+    }
+    return warnings;
+}
+
+std::vector<std::string> scene_warnings(const Scene& scene, const State& state) {
+    std::vector<std::string> warnings = overlap_warnings(scene, state);
+    const std::vector<std::string> steps = step_warnings(scene, state);
+    warnings.insert(warnings.end(), steps.begin(), steps.end());
+    return warnings;
+}
+
+}  // namespace scree::app
