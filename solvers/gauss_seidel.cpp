@@ -1,8 +1,5 @@
 #include "solvers/gauss_seidel.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace scree::solvers {
@@ -14,20 +11,13 @@ constexpr double kMaxOverRms = 16.0;  // allowed maximum of the natural map over
 class Momentum {
   public:
     double next(double change) {
-        if (change > last_change_) {
-            t_ = 1.0;
-            last_change_ = change;
-            return 0.0;
-        }
+        const double beta = change > last_change_ ? 0.0 : change / last_change_;
         last_change_ = change;
-        const double t_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t_ * t_));
-        const double beta = (t_ - 1.0) / t_next;
-        t_ = t_next;
         return beta;
     }
 
   private:
-    double t_ = 1.0, last_change_ = std::numeric_limits<double>::infinity();
+    double last_change_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
