@@ -5,6 +5,7 @@ import pathlib
 
 from pictures import errors, runs
 from pictures.errors import PictureError
+from pictures.measure_panels import number
 from pictures.panels import choose
 from pictures.style import GREY, plt
 
@@ -15,12 +16,10 @@ def headline(history, summary):
     """Title and a line of facts."""
     title = summary.get("title") or runs.text_of(history.attributes.get("title", "")) or "Run"
     facts = []
-    for key, words in (("bodies", "{:,} bodies"), ("steps", "{:,} steps"), ("simulated_time", "{:.4g} s simulated"),
+    for key, words in (("bodies", "{:,.0f} bodies at the end"), ("steps", "{:,.0f} steps"), ("simulated_time", "{:.4g} s simulated"),
                        ("wall_time", "{:.4g} s of wall time")):
-        value = summary.get(key)
-        if isinstance(value, dict):
-            value = value.get("end", value.get("count", value.get("total")))
-        if isinstance(value, (int, float)):
+        value = number(summary.get(key))
+        if value is not None:
             facts.append(words.format(value).replace(",", "\u2009"))
     if not summary:
         facts.append("no summary yet: the run has not ended")

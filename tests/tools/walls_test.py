@@ -57,9 +57,23 @@ class Lines(unittest.TestCase):
 
     def test_endless_walls_have_no_extent(self):
         for name, shape, parameters in WALLS:
-            bounded = shape in ("box", "cone", "disc")
+            bounded = shape in ("box", "cone", "disc", "cylinder")
             wall = Wall(name, shape, parameters, np.eye(3), np.zeros(3))
             self.assertEqual(extent_of(wall, 1.0) is not None, bounded, shape)
+            if shape == "cylinder":  # about z, without ends
+                low, high = extent_of(wall, 1.0)
+                np.testing.assert_allclose([low[:2], high[:2]], [[-0.05] * 2, [0.05] * 2], atol=1e-5)
+                self.assertEqual((low[2], high[2]), (np.inf, -np.inf))
+
+    def test_border_of_a_slanting_plane(self):
+        bounds = (np.zeros(3), np.ones(3))
+        wall = Wall("p", "plane", {"point": [0.5, 0.5, 0.5], "normal": list(np.ones(3) / 3 ** 0.5)}, np.eye(3), np.zeros(3))
+        edges = [line for line, is_edge in lines_of(wall, bounds, CAMERA) if is_edge]
+        self.assertEqual(len(edges), 6)  # a cube cut through its middle, across its diagonal: a regular hexagon
+        lengths = [np.linalg.norm(line[-1] - line[0]) for line in edges]
+        np.testing.assert_allclose(lengths, (1.0 + 0.04 * 3 ** 0.5) / 2 ** 0.5, rtol=1e-9)
+        far = Wall("p", "plane", {"point": [0, 0, 5], "normal": [0, 0, 1]}, np.eye(3), np.zeros(3))
+        self.assertEqual(lines_of(far, bounds, CAMERA), [])
 
     def test_contour_of_a_cone_is_at_right_angles_to_the_sight(self):
         front = Camera("front", LOWER, UPPER, 400)

@@ -11,6 +11,7 @@ SUPERSAMPLING = 2
 DOTS_PER_INCH = 100
 # Lightness rises evenly, as for viridis, but from slate instead of near black: shading needs room below.
 RISING = LinearSegmentedColormap.from_list("rising", ["#66799a", "#4b8db3", "#3fa39b", "#82c377", "#d3db55", "#fff06a"])
+BOTH_WAYS = LinearSegmentedColormap.from_list("both ways", ["#1f5fa8", "#7db3d8", "#f2f2f0", "#f0a37a", "#b5302f"])
 
 
 class Colours:
@@ -26,7 +27,7 @@ class Colours:
         else:
             if not high > low:  # one value only, or none
                 low, high = (low - 0.5 * abs(low), low + 0.5 * abs(low)) if low else (0.0, 1.0)
-            self.map = plt.get_cmap("RdBu_r") if field.signed else RISING
+            self.map = BOTH_WAYS if field.signed else RISING
             self.norm = Normalize(low, high)
 
     def of(self, values):

@@ -6,6 +6,7 @@ from .errors import PictureError
 from .snapshots import Snapshot
 from .walls import extent_of
 
+WHOLE, PIECE = 1.6, 0.35  # sizes of walls over that of all bodies: shown whole up to, else so much beyond the bodies
 FROM_ZERO = ("speed", "spin")  # fields whose colours start at zero
 
 
@@ -33,11 +34,14 @@ class Survey:
             return
         if not np.isfinite(snapshot.position).all():
             raise PictureError(f"{snapshot.path} has positions that are not finite")
-        # A few bodies that rolled far away must not make the others small.
-        share = 0.1 if len(snapshot.radius) > 1000 else 0.0
-        radius = snapshot.radius[:, None]
-        self.lower = np.minimum(self.lower, np.percentile(snapshot.position - radius, share, axis=0))
-        self.upper = np.maximum(self.upper, np.percentile(snapshot.position + radius, 100.0 - share, axis=0))
+        low, high = snapshot.position - snapshot.radius[:, None], snapshot.position + snapshot.radius[:, None]
+        lowest, highest = low.min(axis=0), high.max(axis=0)
+        if len(snapshot.radius) > 1000:
+            # A few bodies that rolled far away must not make the others small.
+            most = np.percentile(low, 0.2, axis=0), np.percentile(high, 99.8, axis=0)
+            slack = 0.2 * (most[1] - most[0])
+            lowest, highest = np.maximum(lowest, most[0] - slack), np.minimum(highest, most[1] + slack)
+        self.lower, self.upper = np.minimum(self.lower, lowest), np.maximum(self.upper, highest)
 
     def take_values(self, field):
         """All but the largest half percent, so that one fast body does not make the rest dark."""
@@ -53,13 +57,14 @@ class Survey:
             self.low, self.high = min(self.low, float(values.min())), max(self.high, float(values.max()))
 
     def take_walls(self, walls):
-        """Bounded walls are shown whole unless they are much larger than what the bodies reach."""
+        """Bounded walls are shown whole unless they are much larger than what the bodies reach; then a piece of them."""
         any_body = bool(np.isfinite(self.lower).all())
         lower, upper = self.lower, self.upper
         size = float(np.max(upper - lower)) if any_body else np.inf
         for low, high in filter(None, (extent_of(wall, 4.0 * size) for wall in walls)):
-            self.lower = np.minimum(self.lower, np.maximum(low, lower - 0.35 * size) if any_body else low)
-            self.upper = np.maximum(self.upper, np.minimum(high, upper + 0.35 * size) if any_body else high)
+            if any_body and np.max(high - low) > WHOLE * size:
+                low, high = np.maximum(low, lower - PIECE * size), np.minimum(high, upper + PIECE * size)
+            self.lower, self.upper = np.minimum(self.lower, low), np.maximum(self.upper, high)
 
     def finish(self, field):
         if not np.isfinite(self.lower).all():  # no bodies and nothing but endless walls

@@ -6,7 +6,8 @@ Parameters: io/wall_description.cpp, in the wall's own frame; a length that is n
 import numpy as np
 
 SAMPLES = 160
-CELLS = 8  # of the grid on a plane, along the longer side of the bounds
+CELLS = 8  # of the grid on a plane, along its longer side
+GROWN = 0.02  # walls are drawn a little farther than the bounds, in diagonals: some lie on them
 
 
 def lines_of(wall, bounds, camera):
@@ -14,35 +15,41 @@ def lines_of(wall, bounds, camera):
     maker = MAKERS.get(wall.shape)
     if maker is None:
         return []
-    lower, upper = bounds
-    grown = 0.02 * np.linalg.norm(upper - lower)
+    grown = GROWN * np.linalg.norm(bounds[1] - bounds[0])
+    lower, upper = bounds[0] - grown, bounds[1] + grown
     result = []
-    for points, is_edge in maker(wall.parameters, Frame(wall, bounds, camera)):
+    for points, is_edge in maker(wall.parameters, Frame(wall, (lower, upper), camera)):
         world = wall.to_world(points)
-        outside = ((world < lower - grown) | (world > upper + grown)).any(axis=1)
+        rounding = 1e-9 * grown
+        outside = ((world < lower - rounding) | (world > upper + rounding)).any(axis=1)
         result.append((np.where(outside[:, None], np.nan, world), is_edge))
     return result
 
 
 def extent_of(wall, reach):
-    """Lowest and highest point of a bounded wall, None of an endless one. `reach`: longer than anything drawn."""
+    """Lowest and highest point of a wall that is bounded, at least across its axis; None of an endless one. Where it has
+    no end: (inf, -inf), which widens nothing. `reach`: what is longer counts as endless."""
     p = wall.parameters
     if wall.shape == "box":
         low, high = np.asarray(p["lower"], float), np.asarray(p["upper"], float)
         points = np.array([[(low, high)[i >> k & 1][k] for k in range(3)] for i in range(8)])
     elif wall.shape in ("cylinder", "cone"):
-        length = p.get("length")
-        if length is None or not np.isfinite(length) or length > reach:
-            return None
         radii = (p["radius"],) * 2 if wall.shape == "cylinder" else (p["radius_base"], p["radius_end"])
         base, axis = np.asarray(p["base"], float), unit(p["axis"])
-        points = np.concatenate([circle(base, axis, radii[0]), circle(base + length * axis, axis, radii[1])])
+        length = p.get("length")
+        endless = length is None or not length <= reach
+        end = base if endless else base + length * axis
+        points = np.concatenate([circle(base, axis, radii[0]), circle(end, axis, radii[1])])
     elif wall.shape == "disc":
         points = circle(np.asarray(p["centre"], float), unit(p["normal"]), p["radius"])
     else:
         return None
     world = wall.to_world(points)
-    return world.min(axis=0), world.max(axis=0)
+    low, high = world.min(axis=0), world.max(axis=0)
+    if wall.shape == "cylinder" and endless:
+        along = np.abs(wall.rotation @ axis) > 1e-6
+        low, high = np.where(along, np.inf, low), np.where(along, -np.inf, high)
+    return low, high
 
 
 class Frame:
@@ -133,23 +140,45 @@ def disc(p, frame):
         yield segment(centre - p["radius"] * direction, centre + p["radius"] * direction), False
 
 
+def border(point, normal, frame):
+    """Corners, in order, of the piece of the plane inside the bounds; empty if the plane misses them."""
+    height = (frame.corners - point) @ normal
+    ends = [(i, i | 1 << k) for k in range(3) for i in range(8) if not i >> k & 1]  # the bounds' edges
+    found = [frame.corners[i] + height[i] / (height[i] - height[j]) * (frame.corners[j] - frame.corners[i])
+             for i, j in ends if (height[i] < 0.0) != (height[j] < 0.0)]
+    if len(found) < 3:
+        return np.zeros((0, 3))
+    found = np.array(found)
+    first, second = across(normal)
+    middle = found - found.mean(axis=0)
+    return found[np.argsort(np.arctan2(middle @ second, middle @ first))]
+
+
 def grid(point, normal, frame, first=None, hole=None):
-    """Lines on a plane over the bounds; hole(a, b): in the plane's coordinates about `point`, where there is nothing."""
-    if first is None:
-        first, second = across(normal)
-    else:
-        second = np.cross(normal, first)
-    a, b = (frame.corners - point) @ first, (frame.corners - point) @ second
+    """A plane inside the bounds: its border and a grid. hole(a, b): in the plane's coordinates about `point`, where there
+    is nothing."""
+    corners = border(point, normal, frame)
+    if len(corners) == 0:
+        return
+    first = across(normal)[0] if first is None else first
+    second = np.cross(normal, first)
+    to_plane = lambda points: ((points - point) @ first, (points - point) @ second)
+    for i, corner in enumerate(corners):
+        line = segment(corners[i - 1], corner)
+        if hole is not None:
+            line[hole(*to_plane(line))] = np.nan
+        yield line, True
+    a, b = to_plane(corners)
     pitch = max(np.ptp(a), np.ptp(b)) / CELLS
     for low, high, low_other, high_other, swap in ((a.min(), a.max(), b.min(), b.max(), False),
                                                    (b.min(), b.max(), a.min(), a.max(), True)):
-        for c in np.unique(np.append(np.arange(np.ceil(low / pitch), np.floor(high / pitch) + 1) * pitch, [low, high])):
+        for c in np.arange(np.ceil(low / pitch), np.floor(high / pitch) + 1) * pitch:
             s = np.linspace(low_other, high_other, 3 * SAMPLES)
             u, v = (s, np.full_like(s, c)) if swap else (np.full_like(s, c), s)
-            points = point + u[:, None] * first + v[:, None] * second
+            line = point + u[:, None] * first + v[:, None] * second
             if hole is not None:
-                points[hole(u, v)] = np.nan
-            yield points, c in (low, high)
+                line[hole(u, v)] = np.nan
+            yield line, False
 
 
 def plane(p, frame):
