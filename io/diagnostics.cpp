@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/errors.hpp"
+#include "io/utf8.hpp"
 
 namespace scree::io {
 namespace {
@@ -27,16 +28,26 @@ bool begins_character(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }  // UTF-8
 
-// Blanks up to the column, which counts characters; tabs stay tabs, so that the caret stands where the fault is.
-std::string caret_line(const std::string& line, int column) {
-    std::string blanks;
-    int characters = 0;
-    for (const char c : line) {
-        if (!begins_character(c)) continue;
-        if (++characters >= column) break;
-        blanks += c == '\t' ? '\t' : ' ';
+// The part of a line around a column, which counts characters, and below it the caret. Long lines are cut, bytes that
+// are no text are shown as '?'. Tabs stay tabs in both lines, so that the caret stands where the fault is.
+std::string excerpt(const std::string& line, int column) {
+    constexpr int before = 110, after = 50;
+    std::string shown, blanks;
+    int character = 0;
+    for (std::size_t i = 0; i < line.size();) {
+        const std::size_t length = utf8_length(line, i);
+        const auto byte = static_cast<unsigned char>(line[i]);
+        const bool printable = length > 0 && (byte >= 0x20 || byte == '\t') && byte != 0x7F;
+        ++character;
+        if (character >= column - before && character <= column + after) {
+            shown += printable ? line.substr(i, length) : "?";
+            if (character < column) blanks += byte == '\t' ? '\t' : ' ';
+        }
+        i += std::max<std::size_t>(length, 1);
     }
-    return blanks + "^";
+    const bool cut_left = column - before > 1, cut_right = character > column + after;
+    return fmt::format("    {}{}{}\n    {}{}^\n", cut_left ? "..." : "", shown, cut_right ? "..." : "",
+                       cut_left ? "   " : "", blanks);
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -95,8 +106,12 @@ std::string Diagnostics::render(const std::vector<Entry>& entries, std::string_v
         return std::tuple(rank_of(a.mark.file), a.mark.file, a.mark.line, a.mark.column) <
                std::tuple(rank_of(b.mark.file), b.mark.file, b.mark.line, b.mark.column);
     });
+    constexpr std::size_t most = 100;  // more say no more
     std::string report;
     for (const Entry& entry : sorted) {
+        if (&entry == sorted.data() + most) {
+            return report + fmt::format("... and {} more like these\n", sorted.size() - most);
+        }
         const Mark& mark = entry.mark;
         if (mark.line > 0) {
             report += fmt::format("{}:{}:{}: {}: {}\n", mark.file, mark.line, mark.column, severity, entry.message);
@@ -108,14 +123,15 @@ std::string Diagnostics::render(const std::vector<Entry>& entries, std::string_v
         const auto& lines = sources_[source].lines;
         const auto line = static_cast<std::size_t>(mark.line - 1);
         if (line >= lines.size()) continue;
-        report += fmt::format("    {}\n    {}\n", lines[line], caret_line(lines[line], mark.column));
+        report += excerpt(lines[line], mark.column);
     }
     return report;
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
     std::string best;
-    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;  // about one slip in three letters
+    // One slip in a short word, two in a usual one, three in a long one.
+    std::size_t least = (word.size() < 4 ? 1 : word.size() < 9 ? 2 : 3) + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) {

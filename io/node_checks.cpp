@@ -37,11 +37,12 @@ void NodeReader::check_group(const Section& section, const Rule& rule, const Yam
 void NodeReader::check_order(const Section& section, const Rule& rule, const YamlValue& yaml, const Node::Map& map) {
     const auto low = map.find(rule.keys[0]), high = map.find(rule.keys[1]);
     if (low == map.end() || high == map.end()) return;
+    const bool whole = std::holds_alternative<std::int64_t>(low->second.value);
     const auto refuse = [&](const std::string& component, double a, double b) {
         const bool at_high = yaml.find(rule.keys[1]) != nullptr;  // else the default is the upper one
         const auto path = [&](std::size_t i) { return section.path_of(rule.keys[i]) + component; };
-        diagnostics_.error((at_high ? high : low)->second.mark,
-                           fmt::format("{} is {}, which is not above {}, {}", path(1), b, path(0), a));
+        diagnostics_.error((at_high ? high : low)->second.mark, fmt::format("{} is {}, which is {} {}, {}", path(1), b,
+                                                                            whole ? "below" : "not above", path(0), a));
     };
     if (const auto* lower = std::get_if<Vec3>(&low->second.value)) {
         const Vec3 upper = high->second.vector();
@@ -51,7 +52,6 @@ void NodeReader::check_order(const Section& section, const Rule& rule, const Yam
         return;
     }
     const double a = low->second.number(), b = high->second.number();
-    const bool whole = std::holds_alternative<std::int64_t>(low->second.value);
     if (!(a < b || (whole && a == b))) refuse("", a, b);
 }
 

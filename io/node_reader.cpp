@@ -71,7 +71,7 @@ std::optional<Node> NodeReader::read(const SchemaNode& schema, const YamlValue& 
 std::optional<Node> NodeReader::read_section(const SchemaNode& schema, const YamlValue& yaml, const std::string& path,
                                              const Mark& mark) {
     if (yaml.kind != YamlKind::map) {
-        values_.refuse(yaml.mark, path, describe(yaml), expectation(schema));
+        values_.refuse(yaml.mark, path, describe(yaml), section_expectation(schema));
         return std::nullopt;
     }
     Node node{Node::Map{}, yaml.mark, path, given_};

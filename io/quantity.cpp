@@ -130,12 +130,16 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     text = trimmed(text);
     const Leading leading = leading_number(text);
     if (leading.length == 0 || leading.length == text.size()) return parse_number(text);
-    if (dimension == Dimension::none) return {{}, fmt::format("'{}' is not a number without unit", text)};
     if (!leading.number.value) return leading.number;
 
     std::string name(trimmed(text.substr(leading.length)));
     std::erase(name, '^');
     const auto* unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.name == name; });
+    const bool is_word = !name.empty() && (std::isalpha(static_cast<unsigned char>(name.front())) != 0 ||
+                                           static_cast<unsigned char>(name.front()) >= 0x80U);
+    if (unit == kUnits.end() && (!is_word || dimension == Dimension::none)) {
+        return {{}, fmt::format("'{}' is not a number", text)};
+    }
     if (unit == kUnits.end()) return {{}, fmt::format("'{}' is not a unit", name)};
     if (unit->dimension != dimension) {
         return {{}, fmt::format("'{}' is a {}", text, dimension_name(unit->dimension))};

@@ -11,6 +11,7 @@
 namespace scree::io {
 
 std::string Range::text() const {
+    if (lower == upper) return fmt::format("= {}", lower);
     if (bounded_below() && bounded_above()) {
         return above_lower ? fmt::format("> {} and <= {}", lower, upper) : fmt::format("{} to {}", lower, upper);
     }

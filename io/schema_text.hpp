@@ -10,6 +10,8 @@ namespace scree::io {
 
 // "a length > 0 (m, cm, mm, um, km)": what a key takes, as it stands in messages.
 std::string expectation(const SchemaNode& node);
+// The same of one item of a list of sections, or of one section that the user names.
+std::string section_expectation(const SchemaNode& node);
 // The same of one number.
 std::string number_expectation(Dimension dimension, const Range& range);
 

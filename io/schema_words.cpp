@@ -31,7 +31,9 @@ std::string list_of(std::size_t length, const std::string& what) {
     return length == 0 ? "a list of " + what : fmt::format("a list of {} {}", length, what);
 }
 
-std::string section_words(const SchemaNode& node) {
+}  // namespace
+
+std::string section_expectation(const SchemaNode& node) {
     if (!node.variants.empty()) {
         return fmt::format("a map with the key '{}', one of {}", node.variant_key,
                            fmt::join(node.variant_names(), ", "));
@@ -40,8 +42,6 @@ std::string section_words(const SchemaNode& node) {
     for (const SchemaNode* key : node.keys) names.push_back(key->key);
     return fmt::format("a map with keys out of {}", fmt::join(names, ", "));
 }
-
-}  // namespace
 
 std::string number_expectation(Dimension dimension, const Range& range) {
     return with_article(dimension_name(dimension)) + spaced(range) + units(dimension);
@@ -87,7 +87,7 @@ std::string expectation(const SchemaNode& node) {
         case Kind::variant:
             break;
     }
-    return section_words(node);
+    return section_expectation(node);
 }
 
 }  // namespace scree::io

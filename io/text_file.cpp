@@ -8,28 +8,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/utf8.hpp"
+
 namespace scree::io {
 namespace {
-
-// Bytes of the valid UTF-8 character at `i`, 0 if there is none (Unicode, table 3-7: no overlong forms, no surrogates).
-std::size_t character_length(const std::string& text, std::size_t i) {
-    const auto byte = [&](std::size_t k) {
-        return k < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[k])) : 0U;
-    };
-    const auto follows = [&](std::size_t k) { return (byte(k) & 0xC0U) == 0x80U; };
-    const unsigned lead = byte(i), second = byte(i + 1);
-    if (lead < 0x80U) return 1;
-    if (lead >= 0xC2U && lead <= 0xDFU) return follows(i + 1) ? 2 : 0;
-    if (lead >= 0xE0U && lead <= 0xEFU) {
-        const bool in_range = !(lead == 0xE0U && second < 0xA0U) && !(lead == 0xEDU && second > 0x9FU);
-        return in_range && follows(i + 1) && follows(i + 2) ? 3 : 0;
-    }
-    if (lead >= 0xF0U && lead <= 0xF4U) {
-        const bool in_range = !(lead == 0xF0U && second < 0x90U) && !(lead == 0xF4U && second > 0x8FU);
-        return in_range && follows(i + 1) && follows(i + 2) && follows(i + 3) ? 4 : 0;
-    }
-    return 0;
-}
 
 bool is_control(unsigned char c) {
     return (c < 0x20 && c != '\n' && c != '\t' && c != '\r') || c == 0x7F;
@@ -62,7 +44,7 @@ bool check_text(const std::string& text, const std::string& file, Diagnostics& d
     bool good = true, in_indentation = true;
     for (std::size_t i = 0; i < text.size();) {
         const auto c = static_cast<unsigned char>(text[i]);
-        const std::size_t length = character_length(text, i);
+        const std::size_t length = utf8_length(text, i);
         if (length == 0 || is_control(c)) {
             diagnostics.error(mark, fmt::format("byte 0x{:02x} is no text: a scenario is a YAML file in UTF-8", c));
             return false;

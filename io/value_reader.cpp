@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "io/schema_text.hpp"
+#include "io/utf8.hpp"
 
 namespace scree::io {
 namespace {
@@ -18,7 +19,7 @@ std::string shortened(const std::string& text) {
     constexpr std::size_t most = 60;
     if (text.size() <= most) return text;
     std::size_t end = most;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    while (end > 0 && !begins_character(text[end])) --end;
     return text.substr(0, end) + "...";
 }
 

@@ -9,6 +9,8 @@
 #include <map>
 #include <sstream>
 
+#include "io/utf8.hpp"
+
 namespace scree::io {
 namespace {
 
@@ -40,7 +42,7 @@ struct Fault {
 class TreeBuilder : public YAML::EventHandler {
   public:
     TreeBuilder(const std::string& text, const std::string& file, Diagnostics& diagnostics)
-        : lines_(lines_of(text)), file_(file), diagnostics_(diagnostics) {}
+        : text_(text), lines_(lines_of(text)), file_(file), diagnostics_(diagnostics) {}
 
     YamlValue root;
 
@@ -51,7 +53,7 @@ class TreeBuilder : public YAML::EventHandler {
         const std::string_view line = lines_[static_cast<std::size_t>(mark.line)];
         const auto end = std::min(line.size(), static_cast<std::size_t>(std::max(mark.column, 0)));
         const auto inner = std::count_if(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(end),
-                                         [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; });
+                                         [](char c) { return !begins_character(c); });
         result.column -= static_cast<int>(inner);
         return result;
     }
@@ -77,6 +79,7 @@ class TreeBuilder : public YAML::EventHandler {
         value.kind = YamlValue::Kind::scalar;
         value.text = text;
         value.quoted = tag != "?";
+        if (tag == "!") check_closed(mark, value.mark);
         if (tag != "?" && tag != "!" && tag != "tag:yaml.org,2002:str") refuse_tag(mark, tag);
         complete(std::move(value), anchor);
     }
@@ -107,6 +110,24 @@ class TreeBuilder : public YAML::EventHandler {
         YamlValue value;
         value.mark = place(mark);
         return value;
+    }
+    // yaml-cpp takes the end of the file for a closing quote.
+    void check_closed(const YAML::Mark& mark, const Mark& opened) const {
+        const std::string_view line = lines_.at(static_cast<std::size_t>(mark.line));
+        auto i = static_cast<std::size_t>(line.data() - text_.data()) + static_cast<std::size_t>(mark.column);
+        while (i < text_.size() && (text_[i] == '&' || text_[i] == '!')) {  // an anchor, a tag
+            i = text_.find_first_not_of(" \t\r\n", std::min(text_.find_first_of(" \t\r\n", i), text_.size()));
+        }
+        if (i >= text_.size() || (text_[i] != '"' && text_[i] != '\'')) return;
+        const char quote = text_[i];
+        for (++i; i < text_.size(); ++i) {
+            if (quote == '"' && text_[i] == '\\') {
+                ++i;
+            } else if (text_[i] == quote) {
+                return;
+            }
+        }
+        throw Fault{opened, "this quote is not closed"};
     }
     void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
         diagnostics_.error(place(mark), fmt::format("the tag '{}' has no meaning here", tag));
@@ -182,6 +203,7 @@ class TreeBuilder : public YAML::EventHandler {
         }
     }
 
+    std::string_view text_;
     std::vector<std::string_view> lines_;
     std::string file_;
     Diagnostics& diagnostics_;
@@ -198,7 +220,6 @@ std::string plain_words(const std::string& message) {
         {"end of map not found", "this line fits no map above it: keys of one map begin in one column"},
         {"end of sequence not found", "this line fits no list above it: the '-' of one list stand in one column"},
         {"illegal block entry", "a '-' that cannot stand here: a list begins on a line of its own"},
-        {"illegal EOF in scalar", "a quote that is not closed"},
         {"bad file", "the file is nested too deeply"},
         {"unknown token", "a text that begins with this character needs quotes"},
     };
@@ -223,7 +244,8 @@ const YamlEntry* YamlValue::find(std::string_view key) const {
     return const_cast<YamlValue*>(this)->find(key);
 }
 
-std::optional<YamlValue> parse_yaml(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+std::optional<YamlValue> parse_yaml(const std::string& given, const std::string& file, Diagnostics& diagnostics) {
+    const std::string text = given + "\n";  // at an end without a new line yaml-cpp misplaces its faults
     TreeBuilder builder(text, file, diagnostics);
     try {
         std::istringstream stream(text);
