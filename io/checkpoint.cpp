@@ -8,6 +8,7 @@
 #include "core/errors.hpp"
 #include "io/atomic_file.hpp"
 #include "io/hdf5_file.hpp"
+#include "io/sealed_file.hpp"
 #include "io/state_archive.hpp"
 
 namespace scree::io {
@@ -58,19 +59,21 @@ std::string write_checkpoint(const std::string& folder, const State& state, cons
     make_folder(folder);
     const std::string path = folder + "/" + fmt::format("{}{:010}{}", kPrefix, state.step, kSuffix);
     AtomicFile out(path);
-    Hdf5File file = Hdf5File::create(out.temporary());
+    Hdf5File file = Hdf5File::create(out.temporary(), kSealBytes);
     write_format(file.root(), kFormat);
     file.root().attribute("time", state.time);
     file.root().attribute("step", state.step);
     write_provenance(file.root(), provenance);
     file.root().attribute("checksum", write_state(file.root(), state));
     file.close();
+    seal(out.temporary());
     out.commit();
     remove_old(folder, state.step);
     return path;
 }
 
 State read_checkpoint(const std::string& path, Provenance* provenance) {
+    check_seal(path);
     const Hdf5File file = Hdf5File::open(path);
     check_format(file.root(), kFormat);
     State state;

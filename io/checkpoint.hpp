@@ -1,6 +1,6 @@
 // Checkpoints: the whole state (core/state.hpp), bit for bit, from which a run continues to the same bits.
-// `checkpoint/step_NNNNNNNNNN.h5`, the last two are kept. Each carries a 64-bit checksum over every number of the
-// state, verified when it is read.
+// `checkpoint/step_NNNNNNNNNN.h5`, the last two are kept. A seal over all bytes of the file
+// (io/sealed_file.hpp) and a 64-bit checksum over every number of the state are verified when it is read.
 #pragma once
 
 #include <optional>

@@ -10,6 +10,7 @@
 #include "core/errors.hpp"
 #include "io/checkpoint.hpp"
 #include "io/hdf5_file.hpp"
+#include "io/sealed_file.hpp"
 #include "io/snapshot.hpp"
 
 namespace scree::io {
@@ -191,6 +192,9 @@ class FileComparison {
 
 void compare_files(const std::string& a, const std::string& b, const std::string& prefix, double tolerance,
                    Comparison& out) {
+    for (const std::string& path : {a, b}) {
+        if (has_seal(path)) check_seal(path);
+    }
     const Hdf5File file_a = Hdf5File::open(a), file_b = Hdf5File::open(b);
     const std::string format = file_a.root().has_attribute("format") ? file_a.root().text_attribute("format") : "";
     if (!format.starts_with("scree ")) throw IoError(a + ": this is not a file of Scree");

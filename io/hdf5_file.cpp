@@ -96,11 +96,13 @@ int Hdf5Id::reset() {
 Hdf5File::Hdf5File(Hdf5Id id, std::string path)
     : path_(std::move(path)), id_(std::move(id)), root_(root_group(id_, path_)) {}
 
-Hdf5File Hdf5File::create(const std::string& path) {
+Hdf5File Hdf5File::create(const std::string& path, std::size_t user_block) {
     const Hdf5Id access = file_access(path);
-    return {
-        owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose, path, "cannot be created"),
-        path};
+    const Hdf5Id creation = owned(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "HDF5 cannot be used");
+    require(H5Pset_userblock(creation.get(), user_block), path, "HDF5 cannot be used");
+    return {owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path,
+                  "cannot be created"),
+            path};
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {

@@ -125,8 +125,9 @@ std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name
 
 class Hdf5File {
   public:
-    static Hdf5File create(const std::string& path);  // an old file of this name is replaced
-    static Hdf5File open(const std::string& path);    // for reading
+    // An old file of this name is replaced. The first `user_block` bytes (0, or a power of 2 from 512) are left free.
+    static Hdf5File create(const std::string& path, std::size_t user_block = 0);
+    static Hdf5File open(const std::string& path);  // for reading
     static Hdf5File open_writable(const std::string& path);
 
     const Hdf5Group& root() const { return root_; }

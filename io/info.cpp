@@ -13,6 +13,7 @@
 #include "io/checkpoint.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/provenance.hpp"
+#include "io/sealed_file.hpp"
 #include "io/snapshot.hpp"
 
 namespace scree::io {
@@ -68,6 +69,7 @@ std::string dataset_lines(const Hdf5Group& root) {
 }
 
 std::string file_info(const std::string& path) {
+    if (has_seal(path)) check_seal(path);
     const Hdf5File file = Hdf5File::open(path);
     const Hdf5Group& root = file.root();
     const std::string format = root.has_attribute("format") ? root.text_attribute("format") : "";

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "core/errors.hpp"
-#include "core/random.hpp"
+#include "io/checksum.hpp"
 #include "io/hdf5_file.hpp"
 
 namespace scree::io {
@@ -53,28 +53,10 @@ struct Packing<std::array<double, N>> {
     static void unpack(const double* from, std::array<double, N>& to) { std::memcpy(to.data(), from, sizeof(to)); }
 };
 
-class Checksum {
-  public:
-    void add(const std::string& name, const void* data, std::size_t bytes) {
-        words(name.data(), name.size());
-        words(data, bytes);
-    }
-    std::uint64_t value() const { return value_; }
-
-  private:
-    void words(const void* data, std::size_t bytes) {
-        value_ = mix64(value_ ^ bytes);
-        const char* next = static_cast<const char*>(data);
-        for (; bytes > 0; next += sizeof(std::uint64_t)) {
-            std::uint64_t word = 0;
-            const std::size_t n = std::min(bytes, sizeof(word));
-            std::memcpy(&word, next, n);
-            value_ = mix64(value_ ^ word);
-            bytes -= n;
-        }
-    }
-    std::uint64_t value_ = 0;
-};
+void add(Checksum& checksum, const std::string& name, const void* data, std::size_t bytes) {
+    checksum.add(name.data(), name.size());
+    checksum.add(data, bytes);
+}
 
 struct Writer {
     static constexpr bool kReading = false;
@@ -88,7 +70,7 @@ struct Writer {
         std::vector<typename Pack::Number> packed(things.size() * Pack::width);
         std::size_t at = 0;
         for (const auto& thing : things) Pack::pack(member(thing), packed.data() + Pack::width * at++);
-        checksum.add(name, packed.data(), packed.size() * sizeof(typename Pack::Number));
+        add(checksum, name, packed.data(), packed.size() * sizeof(typename Pack::Number));
         Rows rows = rows_of(std::span<const typename Pack::Number>(packed));
         rows.count = things.size();
         if (Pack::width > 1) rows.shape = {Pack::width};
@@ -114,7 +96,7 @@ struct Reader {
         if (things.size() != shape[0]) throw IoError(root.file() + ": dataset '" + name + "' has another length");
         std::vector<typename Pack::Number> packed(things.size() * Pack::width);
         read_elements(root, name, rows_of(std::span<const typename Pack::Number>(packed)).type, packed.data());
-        checksum.add(name, packed.data(), packed.size() * sizeof(typename Pack::Number));
+        add(checksum, name, packed.data(), packed.size() * sizeof(typename Pack::Number));
         std::size_t at = 0;
         for (auto& thing : things) Pack::unpack(packed.data() + Pack::width * at++, member(thing));
     }

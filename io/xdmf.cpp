@@ -58,12 +58,10 @@ NumberType number_type(ElementType type) {
 }
 
 std::string data_item(const DatasetInfo& data, const std::string& file) {
-    std::string dims;
-    for (std::size_t side : data.shape) dims += (dims.empty() ? "" : " ") + std::to_string(side);
     const NumberType number = number_type(data.type);
     return fmt::format(
-        R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/bodies/{}</DataItem>)", dims,
-        number.name, number.bytes, escaped(file), data.name);
+        R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/bodies/{}</DataItem>)",
+        fmt::join(data.shape, " "), number.name, number.bytes, escaped(file), data.name);
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+// A seal in the first 512 bytes of a file (HDF5's user block: its readers skip it): a line of text with a checksum of
+// all that follows. It is tested before HDF5 sees the file, because HDF5 1.10 can crash on a damaged one.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace scree::io {
+
+inline constexpr std::size_t kSealBytes = 512;
+
+// Writes the seal into a complete file that has room for it.
+void seal(const std::string& path);
+// Throws IoError if there is no seal or it does not fit.
+void check_seal(const std::string& path);
+bool has_seal(const std::string& path);
+
+}  // namespace scree::io
