@@ -12,13 +12,13 @@
 namespace scree {
 
 enum class Work : std::size_t {
-    restitution,    // normal impulses between bodies and with walls, on the relative velocity (<= 0 for one impact)
-    friction,       // tangential impulses on the slip
-    walls,          // by moving walls: impulse . velocity of the wall
-    correction,     // potential energy given by the correction of positions
-    gravity,        // potential energy given by a change of gravity in time
-    inlets,         // kinetic and potential energy of bodies that came
-    outlets,        // and that went (negative)
+    restitution,  // normal impulses between bodies and with walls, on the relative velocity (<= 0 for one impact)
+    friction,     // tangential impulses on the slip
+    walls,        // by moving walls: impulse . velocity of the wall
+    correction,   // potential energy given by the correction of positions
+    gravity,      // potential energy given by a change of gravity in time
+    inlets,       // kinetic and potential energy of bodies that came
+    outlets,      // and that went (negative)
     count_
 };
 inline constexpr std::size_t kWorkCount = static_cast<std::size_t>(Work::count_);
@@ -42,7 +42,7 @@ struct Ledger {
         return sum;
     }
     double imbalance() const { return kinetic + potential - kinetic_0 - potential_0 - total_work(); }
-    // |imbalance| over the range of energies met so far; 0 when there was none.
+    // |imbalance| over the range of energies met so far; 0 when there was none, or within the energies' own round-off.
     double drift() const;
 };
 

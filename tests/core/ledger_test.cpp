@@ -30,6 +30,16 @@ TEST(Ledger, DriftHasNoSign) {
     EXPECT_DOUBLE_EQ(ledger.drift(), 0.25);
 }
 
+// A pile at rest: its energy moved by round-off only, and nothing else gives a scale.
+TEST(Ledger, RoundOffOfASceneAtRestIsNoDrift) {
+    Ledger ledger;
+    ledger.potential_0 = ledger.potential_min = 400.0;
+    ledger.potential = ledger.potential_max = 400.0 + 2e-13;
+    EXPECT_EQ(ledger.drift(), 0.0);
+    ledger.potential = ledger.potential_max = 400.0 + 2e-11;
+    EXPECT_DOUBLE_EQ(ledger.drift(), 1.0);
+}
+
 TEST(Ledger, ASceneWithoutEnergyHasNoDrift) {
     EXPECT_EQ(Ledger{}.drift(), 0.0);
 }
