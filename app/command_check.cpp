@@ -1,5 +1,6 @@
 // scree check: everything that `run` does before its first step, and a report instead of the run.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/check_report.hpp"
 #include "app/commands.hpp"
@@ -12,7 +13,7 @@ ExitCode check_command(const CheckOptions& options) {
     const LoadedScenario scenario = load_scenario(options.scenario, options.sets);
     BuiltScenario built = build_scenario(scenario);
     const Plan plan = make_plan(built.scene, built.state.bodies);
-    fmt::print(stderr, "{}", scenario.diagnostics->warnings());
+    write_all(STDERR_FILENO, scenario.diagnostics->warnings());
     fmt::print(
         "{}", check_report(options.scenario, built.scene, plan, built.state, scene_warnings(built.scene, built.state)));
     return ExitCode::complete;

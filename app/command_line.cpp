@@ -1,5 +1,6 @@
 // Parsing, dispatch, and the one place where exceptions become messages and exit codes.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -97,7 +98,7 @@ void Arguments::define() {
 }
 
 int usage_error(const std::string& message, const std::string& help) {
-    fmt::print(stderr, "error: {}\n  {} shows what is possible.\n", message, help);
+    write_all(STDERR_FILENO, fmt::format("error: {}\n  {} shows what is possible.\n", message, help));
     return static_cast<int>(ExitCode::usage);
 }
 
@@ -138,8 +139,12 @@ int dispatch(Arguments& arguments) {
 int parse_and_dispatch(int argc, char** argv) {
     const std::string first = argc > 1 ? argv[1] : "";
     if (first.empty() || first == "-h" || first == "--help" || first == "help") {
-        fmt::print(first.empty() ? stderr : stdout, "{}", top_help());
-        return static_cast<int>(first.empty() ? ExitCode::usage : ExitCode::complete);
+        if (!first.empty()) {
+            fmt::print("{}", top_help());
+            return static_cast<int>(ExitCode::complete);
+        }
+        write_all(STDERR_FILENO, top_help());
+        return static_cast<int>(ExitCode::usage);
     }
     if (first == "--version" || first == "-V") {
         fmt::print("{}", version_text());
@@ -171,8 +176,8 @@ int parse_and_dispatch(int argc, char** argv) {
 int report(const std::string& message, ExitCode code) {
     std::fflush(stdout);
     // A scenario's report brings its own "file:line:col: error:".
-    fmt::print(stderr, "{}{}{}", code == ExitCode::invalid_scenario ? "" : "error: ", message,
-               message.empty() || message.back() != '\n' ? "\n" : "");
+    write_all(STDERR_FILENO, fmt::format("{}{}{}", code == ExitCode::invalid_scenario ? "" : "error: ", message,
+                                         message.empty() || message.back() != '\n' ? "\n" : ""));
     return static_cast<int>(code);
 }
 

@@ -1,5 +1,6 @@
 // scree run: sets a run up, lets it run, and says how it ended.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -97,7 +98,10 @@ void Run::finish(const std::string& status, const std::string& reason, const Ste
         make_summary(setup_.scene, plan_, setup_.state, output_, last, status, reason, std::move(warnings));
     io::write_summary(folder_.summary().string(), summary);
     output_.log_status(setup_.state, status, reason);
-    if (console_.loudness() != Loudness::quiet) fmt::print("{}", summary_text(summary, setup_.scene, folder_));
+    if (console_.loudness() != Loudness::quiet &&
+        !write_all(STDOUT_FILENO, summary_text(summary, setup_.scene, folder_))) {
+        console_.warning("standard output could not be written; the same is in summary.yaml");
+    }
 }
 
 // The state is not fit for a checkpoint; those written before stand. The disk may be full: then the error itself has to
@@ -125,7 +129,7 @@ ExitCode run_command(const RunOptions& options) {
     Console console(options.loudness);
     RunFolder folder(options.out.empty() ? default_run_folder(options.scenario) : std::filesystem::path(options.out));
     RunSetup setup = set_up_run(options, folder);
-    fmt::print(stderr, "{}", setup.scenario_warnings);
+    write_all(STDERR_FILENO, setup.scenario_warnings);
     for (const std::string& warning : setup.warnings) console.warning(warning);
     if (is_complete(setup, OutputSchedule(setup.scene.time, setup.scene.output), folder)) {
         console.info(fmt::format("the run in {} is complete (t = {:.6g} s). To make it longer: --set time.end=...",

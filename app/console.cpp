@@ -25,6 +25,16 @@ int terminal_width(int descriptor) {
 
 }  // namespace
 
+bool write_all(int descriptor, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t n = ::write(descriptor, text.data(), text.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return false;
+        text.remove_prefix(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
 Console::Console(Loudness loudness)
     : Console(loudness, STDERR_FILENO, isatty(STDERR_FILENO) == 1, isatty(STDERR_FILENO) == 1 && colours_wanted(),
               terminal_width(STDERR_FILENO)) {}
@@ -34,15 +44,6 @@ Console::Console(Loudness loudness, int descriptor, bool terminal, bool colours,
 
 Console::~Console() {
     end_live();
-}
-
-void Console::write(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t n = ::write(descriptor_, text.data(), text.size());
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return;
-        text.remove_prefix(static_cast<std::size_t>(n));
-    }
 }
 
 void Console::message(std::string_view colour, std::string_view label, std::string_view text) {
@@ -56,7 +57,7 @@ void Console::message(std::string_view colour, std::string_view label, std::stri
     }
     line.append(text);
     if (line.empty() || line.back() != '\n') line += '\n';
-    write(line);
+    write_all(descriptor_, line);
 }
 
 void Console::info(std::string_view text) {
@@ -77,12 +78,12 @@ void Console::live(std::string_view text) {
     if (!terminal_ || loudness_ == Loudness::quiet) return;
     std::string line(kClearLine);
     line.append(text.substr(0, static_cast<std::size_t>(width_ - 1)));
-    write(line);
+    write_all(descriptor_, line);
     live_shown_ = true;
 }
 
 void Console::end_live() {
-    if (live_shown_) write("\n");
+    if (live_shown_) write_all(descriptor_, "\n");
     live_shown_ = false;
 }
 

@@ -9,6 +9,9 @@
 
 namespace scree::app {
 
+// All of `text` to a file descriptor; false if that cannot be.
+bool write_all(int descriptor, std::string_view text);
+
 enum class Loudness { quiet, normal, verbose };
 
 class Console {
@@ -33,7 +36,6 @@ class Console {
     const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    void write(std::string_view text);
     void message(std::string_view colour, std::string_view label, std::string_view text);
 
     Loudness loudness_;

