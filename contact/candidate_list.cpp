@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "contact/walls/wall_contact.hpp"
+#include "core/radix_sort.hpp"
 
 namespace scree::contact {
 namespace {
 
-constexpr double kStepsAhead = 10.0;  // a list should last this many steps ...
-constexpr double kLeastSlack = 0.03;  // ... and a resting body may move by this share of its radius
+constexpr double kStepsAhead = 10.0;  // a list should last this many steps,
+constexpr double kLeastSlack = 0.03;  // a resting body may move by this share of its radius,
+constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wide lists cost more than new ones
 
 }  // namespace
 
@@ -32,7 +34,7 @@ bool CandidateList::update(const Scene& scene, const State& state, double step, 
     slack_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double travel = kStepsAhead * step * bodies.velocity[i].norm();
-        slack_[i] = 1.5 * margin[i] + std::max(travel, kLeastSlack * bodies.radius[i]);
+        slack_[i] = 1.5 * margin[i] + std::clamp(travel, kLeastSlack * bodies.radius[i], kMostSlack * bodies.radius[i]);
         const Vec3& x = bodies.position[i];
         ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
     }
@@ -47,15 +49,14 @@ void CandidateList::rebuild_pairs(const State& state) {
     const std::size_t n = state.bodies.size();
     pair_.clear();
     grid_.find_pairs(ball_, pair_);
+    radix_sort(pair_, pair_scratch_, [](const BodyPair& p) { return std::uint64_t{p.first} << 32 | p.second; });
     partner_begin_.assign(n + 1, 0);
-    for (const auto& [i, j] : pair_) ++partner_begin_[i + 1];
+    partner_.clear();
+    for (const BodyPair& p : pair_) {
+        ++partner_begin_[p.first + 1];
+        partner_.push_back(p.second);
+    }
     for (std::size_t i = 0; i < n; ++i) partner_begin_[i + 1] += partner_begin_[i];
-    partner_.resize(pair_.size());
-    std::vector<std::size_t> next(partner_begin_.begin(), partner_begin_.end());
-    for (const auto& [i, j] : pair_) partner_[next[i]++] = j;
-    for (std::size_t i = 0; i < n; ++i)
-        std::sort(partner_.begin() + static_cast<std::ptrdiff_t>(partner_begin_[i]),
-                  partner_.begin() + static_cast<std::ptrdiff_t>(partner_begin_[i + 1]));
 }
 
 void CandidateList::rebuild_walls(const Scene& scene, const State& state, double step) {
@@ -100,7 +101,7 @@ void CandidateList::rebuild_walls(const Scene& scene, const State& state, double
 
 std::size_t CandidateList::bytes() const {
     return grid_.bytes() + ball_.capacity() * sizeof(Ball) + slack_.capacity() * 8 +
-           pair_.capacity() * sizeof(pair_[0]) +
+           (pair_.capacity() + pair_scratch_.capacity()) * sizeof(BodyPair) +
            (partner_begin_.capacity() + wall_begin_.capacity()) * sizeof(std::size_t) +
            (partner_.capacity() + wall_.capacity()) * 4;
 }

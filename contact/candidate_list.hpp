@@ -45,7 +45,7 @@ class CandidateList {
     CellGrid grid_;
     std::vector<Ball> ball_;     // n, where the list was made; radius r + s
     std::vector<double> slack_;  // [m] s, n
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pair_;
+    std::vector<BodyPair> pair_, pair_scratch_;
     std::vector<std::size_t> partner_begin_, wall_begin_;  // n + 1
     std::vector<std::uint32_t> partner_, wall_;
 };

@@ -1,6 +1,9 @@
 // Finds all pairs of overlapping spheres among n spheres of any sizes, in O(n) for any ratio of sizes: each sphere
 // lives in a grid whose cells are at least as wide as its diameter (one grid a power of two), and looks for partners in
 // its own grid and in the coarser ones (Ogarko and Luding 2012 describe the idea).
+//
+// A grid is a list of its filled cells sorted by (z, y, x): the three neighbours in a row are next to each other, and
+// walking all cells in order walks each neighbouring row in order too. No table of cells, so no limit of extent.
 #pragma once
 
 #include <cstdint>
@@ -14,39 +17,37 @@ namespace scree::contact {
 struct Ball {
     double x, y, z, radius;  // [m]
 };
+using BodyPair = std::pair<std::uint32_t, std::uint32_t>;
 
 class CellGrid {
   public:
     // Appends to `pairs` every (i, j), i < j, with |x_i - x_j| <= radius_i + radius_j, in no particular order.
-    void find_pairs(const std::vector<Ball>& balls, std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+    void find_pairs(const std::vector<Ball>& balls, std::vector<BodyPair>& pairs);
     std::size_t bytes() const;
 
   private:
-    struct Cell {
-        std::int64_t x, y, z;
-        std::uint32_t begin, end;  // into members of its level
-    };
     struct Level {
-        double width = 0.0;
-        std::vector<std::uint32_t> members;  // bodies, cell by cell
-        std::vector<Cell> cells;
-        std::vector<std::uint32_t> table;  // open addressing: cell index + 1, 0 empty
-        std::uint64_t mask = 0;
+        double width = 0.0;                // of a cell [m]
+        double lower[3] = {};              // corner of the grid [m]
+        int bits[3] = {};                  // of the index in each direction, one cell of margin on both sides
+        std::vector<std::uint64_t> key;    // one a filled cell, increasing
+        std::vector<std::uint32_t> begin;  // cells + 1, into ball and body
+        std::vector<Ball> ball;            // cell by cell
+        std::vector<std::uint32_t> body;
 
-        const Cell* find(std::int64_t x, std::int64_t y, std::int64_t z) const;
+        std::uint64_t pack(std::int64_t x, std::int64_t y, std::int64_t z) const;
+        std::int64_t index(double x, int direction) const;
     };
-    void fill_level(Level& level, const std::vector<Ball>& balls, std::vector<std::uint32_t>& bodies);
-    static void pairs_within(const Level& level, const std::vector<Ball>& balls,
-                             std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
-    static void pairs_between(const Level& fine, const Level& coarse, const std::vector<Ball>& balls,
-                              std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
-
-    std::vector<Level> levels_;
     struct Keyed {
-        std::int64_t x, y, z;
+        std::uint64_t key;
         std::uint32_t body;
     };
-    std::vector<Keyed> keyed_;
+    void fill(Level& level, const std::vector<Ball>& balls, const std::vector<std::uint32_t>& bodies);
+    static void pairs_within(const Level& level, std::vector<BodyPair>& pairs);
+    static void pairs_between(const Level& fine, const Level& coarse, std::vector<BodyPair>& pairs);
+
+    std::vector<Level> levels_;
+    std::vector<Keyed> keyed_, scratch_;
 };
 
 }  // namespace scree::contact

@@ -14,6 +14,9 @@ namespace scree {
 
 inline constexpr int kLanes = 8;
 
+// Kernels keep their packs in registers only if every helper is inlined.
+#define SCREE_INLINE [[gnu::always_inline]] inline
+
 #if defined(__AVX512F__)
 inline constexpr int kNativeLanes = 8;
 using Native = __m512d;
@@ -215,7 +218,7 @@ inline Pack3 cross(const Pack3& a, const Pack3& b) {
 // Four rows of four doubles, one row a lane, turned into four packs and back. `row(i)` gives the address (aligned to 32
 // bytes) of lane i's row.
 template <class Row>
-inline void gather4(const Row& row, Pack& c0, Pack& c1, Pack& c2, Pack& c3) {
+SCREE_INLINE void gather4(const Row& row, Pack& c0, Pack& c1, Pack& c2, Pack& c3) {
 #if defined(__AVX512F__)
     // pairs of rows (0,2) (1,3) (4,6) (5,7), so that the lanes come out in order
     const auto pair = [&](int i, int j) {
@@ -251,7 +254,7 @@ inline void gather4(const Row& row, Pack& c0, Pack& c1, Pack& c2, Pack& c3) {
 #endif
 }
 template <class Row>
-inline void scatter4(const Row& row, const Pack& c0, const Pack& c1, const Pack& c2, const Pack& c3) {
+SCREE_INLINE void scatter4(const Row& row, const Pack& c0, const Pack& c1, const Pack& c2, const Pack& c3) {
 #if defined(__AVX512F__)
     const __m512d lo01 = _mm512_maskz_unpacklo_pd(0xff, c0.v[0], c1.v[0]);  // x y of lanes 0 | 2 | 4 | 6
     const __m512d hi01 = _mm512_maskz_unpackhi_pd(0xff, c0.v[0], c1.v[0]);  // of lanes 1 | 3 | 5 | 7

@@ -31,7 +31,7 @@ struct StepReport {
     double residual_max = 0.0;
     double reference_velocity = 0.0;  // [m/s] that scales it
     bool converged = true;
-    double momentum_error = 0.0;   // |sum m dv - h F - wall impulses| / sum m |v|
+    double momentum_error = 0.0;   // |sum m dv - h F - wall impulses| / (sum m |v| + h |F|)
     Penetration penetration;
 };
 

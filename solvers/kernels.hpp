@@ -31,15 +31,15 @@ struct SpinningPair {
     Pack3 va, vb, wa, wb;
     Pack ma, mb, ka, kb;
 
-    SpinningPair(const FrictionBatch& batch, const SpinningLine* line) {
+    SCREE_INLINE SpinningPair(const FrictionBatch& batch, const SpinningLine* line) {
         gather4([&](int i) { return line[batch.a[i]].v; }, va.x, va.y, va.z, ma);
         gather4([&](int i) { return line[batch.b[i]].v; }, vb.x, vb.y, vb.z, mb);
         gather4([&](int i) { return line[batch.a[i]].w; }, wa.x, wa.y, wa.z, ka);
         gather4([&](int i) { return line[batch.b[i]].w; }, wb.x, wb.y, wb.z, kb);
     }
-    Pack3 relative(const Pack3& n) const { return (va - vb) - cross(wa + wb, n); }
+    SCREE_INLINE Pack3 relative(const Pack3& n) const { return (va - vb) - cross(wa + wb, n); }
     // Adds the impulse `d` on a, -d on b, and stores.
-    void push(const FrictionBatch& batch, SpinningLine* line, const Pack3& n, const Pack3& d) {
+    SCREE_INLINE void push(const FrictionBatch& batch, SpinningLine* line, const Pack3& n, const Pack3& d) {
         const Pack3 t = cross(n, d);
         va = va + ma * d;
         vb = vb - mb * d;
@@ -57,13 +57,13 @@ struct SlidingPair {
     Pack ma, mb;
 
     template <class Batch>
-    SlidingPair(const Batch& batch, const SlidingLine* line) {
+    SCREE_INLINE SlidingPair(const Batch& batch, const SlidingLine* line) {
         gather4([&](int i) { return line[batch.a[i]].v; }, va.x, va.y, va.z, ma);
         gather4([&](int i) { return line[batch.b[i]].v; }, vb.x, vb.y, vb.z, mb);
     }
-    Pack normal_velocity(const Pack3& n) const { return dot(va - vb, n); }
+    SCREE_INLINE Pack normal_velocity(const Pack3& n) const { return dot(va - vb, n); }
     template <class Batch>
-    void push(const Batch& batch, SlidingLine* line, const Pack3& n, const Pack& d) {
+    SCREE_INLINE void push(const Batch& batch, SlidingLine* line, const Pack3& n, const Pack& d) {
         va = va + (ma * d) * n;
         vb = vb - (mb * d) * n;
         scatter4([&](int i) { return line[batch.a[i]].v; }, va.x, va.y, va.z, ma);
@@ -74,7 +74,7 @@ struct SlidingPair {
 // One update of a batch. With `kMomentum` the impulses start from y + beta (y - y_previous), where the lines already
 // are. Returns sum of |W_N r|^2, r the change of impulse [m2/s2], one number a lane.
 template <bool kMomentum>
-inline Pack update(FrictionBatch& batch, SpinningLine* line, double (*previous)[kLanes], const Pack& beta) {
+SCREE_INLINE Pack update(FrictionBatch& batch, SpinningLine* line, double (*previous)[kLanes], const Pack& beta) {
     SpinningPair pair(batch, line);
     const Pack3 n = load3(batch.n);
     const Pack inverse_w = Pack::load(batch.inverse_w);
@@ -104,7 +104,7 @@ inline Pack update(FrictionBatch& batch, SpinningLine* line, double (*previous)[
 }
 
 template <bool kMomentum>
-inline Pack update(FrictionlessBatch& batch, SlidingLine* line, double (*previous)[kLanes], const Pack& beta) {
+SCREE_INLINE Pack update(FrictionlessBatch& batch, SlidingLine* line, double (*previous)[kLanes], const Pack& beta) {
     SlidingPair pair(batch, line);
     const Pack3 n = load3(batch.n);
     Pack p = Pack::load(batch.p[0]);

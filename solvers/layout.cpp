@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/radix_sort.hpp"
+
 namespace scree::solvers {
 namespace {
 
@@ -46,21 +48,6 @@ void Layout::place(const contact::ContactSet& contacts, const Bodies& bodies, do
         const bool wide = 2.0 * widest + std::abs(contact.gap) >= block_size;
         placed_.push_back(
             {wide ? kWideBodies : block_key(contact.point(bodies.position[contact.a], ra), block_size), c});
-    }
-}
-
-// Stable: contacts of a block stay in order of key. Radix sort on the bytes that differ.
-void Layout::sort_by_block() {
-    std::uint64_t varies = 0;
-    for (const Placed& p : placed_) varies |= p.block ^ placed_.front().block;
-    sorted_.resize(placed_.size());
-    for (int shift = 0; shift < 64; shift += 11) {
-        if (((varies >> shift) & 0x7ff) == 0) continue;
-        count_.assign(2049, 0);
-        for (const Placed& p : placed_) ++count_[((p.block >> shift) & 0x7ff) + 1];
-        for (std::size_t k = 0; k < 2048; ++k) count_[k + 1] += count_[k];
-        for (const Placed& p : placed_) sorted_[count_[(p.block >> shift) & 0x7ff]++] = p;
-        placed_.swap(sorted_);
     }
 }
 
@@ -122,7 +109,8 @@ void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, 
     lane_.clear();
     if (contacts.empty()) return;
     place(contacts, bodies, block_size);
-    sort_by_block();
+    // stable: contacts of a block stay in order of key
+    radix_sort(placed_, sorted_, [](const Placed& p) { return p.block; });
     occupied_.resize(bodies.size());
     for (std::size_t begin = 0; begin < placed_.size();) {
         std::size_t end = begin;
@@ -133,9 +121,8 @@ void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, 
 }
 
 std::size_t Layout::bytes() const {
-    return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) + count_.capacity() * 4 +
-           blocks_.capacity() * sizeof(Block) + lane_.capacity() * sizeof(lane_[0]) +
-           occupied_.capacity() * sizeof(Occupied);
+    return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) + blocks_.capacity() * sizeof(Block) +
+           lane_.capacity() * sizeof(lane_[0]) + occupied_.capacity() * sizeof(Occupied);
 }
 
 }  // namespace scree::solvers

@@ -39,11 +39,9 @@ class Layout {
         std::uint32_t contact;
     };
     void place(const contact::ContactSet& contacts, const Bodies& bodies, double block_size);
-    void sort_by_block();
     void fill_block(const contact::ContactSet& contacts, std::size_t begin, std::size_t end);
 
     std::vector<Placed> placed_, sorted_;
-    std::vector<std::uint32_t> count_;
     std::vector<Block> blocks_;
     std::vector<std::array<std::uint32_t, kLanes>> lane_;
     // First fit: which of the 64 batches from `base` on hold a body; one a body, valid while `stamp` is the block's.

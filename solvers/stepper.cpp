@@ -129,7 +129,7 @@ std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, doubl
         const Vec3& x = bodies.position[i];
         balls[i] = {x.x(), x.y(), x.z(), bodies.radius[i]};
     }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::vector<contact::BodyPair> pairs;
     contact::CellGrid grid;
     grid.find_pairs(balls, pairs);
     std::sort(pairs.begin(), pairs.end());

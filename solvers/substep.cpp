@@ -149,7 +149,9 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
         throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
     const Vec3 error =
         after.sum - before.sum - times.step * after.mass * scene_.gravity.at(times.middle()) - from_walls;
-    if (after.size > 0.0) report.momentum_error = error.norm() / after.size;
+    // bodies at rest have no momentum to compare with: the step's weight stands in
+    const double size = after.size + times.step * after.mass * scene_.gravity.at(times.middle()).norm();
+    if (size > 0.0) report.momentum_error = error.norm() / size;
 }
 
 template <class Law>
