@@ -64,8 +64,10 @@ void collect_datasets(const Hdf5Group& root, hid_t group, const std::string& pre
 }  // namespace
 
 void silence_hdf5() {
-    static const herr_t result = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    static_cast<void>(result);
+    // HDF5's own clean-up at exit crashes on a file that could not be flushed (a full disk). Every file is closed here,
+    // so nothing is lost without it.
+    static const bool done = [] { return H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0; }();
+    static_cast<void>(done);
 }
 
 void throw_hdf5_error(const std::string& file, const std::string& what) {
