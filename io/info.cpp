@@ -32,13 +32,17 @@ std::string range(const Hdf5Group& root, const DatasetInfo& info) {
     std::string text;
     for (std::size_t k = 0; k < (width == values.size() ? 1 : width); ++k) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
+        bool all_numbers = true;
         const std::size_t stride = width == values.size() ? 1 : width;
         for (std::size_t i = k; i < values.size(); i += stride) {
             low = std::min(low, values[i]);
             high = std::max(high, values[i]);
+            all_numbers = all_numbers && !std::isnan(values[i]);
         }
         if (!text.empty()) text += ", ";
+        low += 0.0, high += 0.0;  // no -0
         text += low == high ? fmt::format("{:.6g}", low) : fmt::format("{:.6g} .. {:.6g}", low, high);
+        if (!all_numbers) text += " (and not a number)";
     }
     return text;
 }
