@@ -162,7 +162,7 @@ int parse_and_dispatch(int argc, char** argv) {
     try {
         arguments.app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", arguments.app.get_subcommand(first)->help());
+        fmt::print("{}", arguments.app.get_subcommand(first)->help("scree"));
         return static_cast<int>(ExitCode::complete);
     } catch (const CLI::ParseError& error) {
         return usage_error(error.what(), fmt::format("scree {} --help", first));

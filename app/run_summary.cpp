@@ -28,15 +28,20 @@ double gained_share(const Ledger& ledger) {
     return ledger.gained > 0.0 && taken > 0.0 ? ledger.gained / taken : 0.0;
 }
 
+// Plain numbers have the unit "1" in files.
+std::string unit_text(const std::string& unit) {
+    return unit == "1" ? "" : " " + unit;
+}
+
 std::string measure_line(const io::SummaryMean& m) {
     std::string value;
     if (m.value.empty() || m.covered <= 0.0) {
         value = "no value: the run did not reach its time window";
     } else if (m.value.size() == 1) {
-        value = fmt::format("{:.5g} {}", m.value.front(), m.unit);
+        value = fmt::format("{:.5g}{}", m.value.front(), unit_text(m.unit));
     } else {
         const auto [low, high] = std::minmax_element(m.value.begin(), m.value.end());
-        value = fmt::format("{} values, {:.4g} to {:.4g} {}", m.value.size(), *low, *high, m.unit);
+        value = fmt::format("{} values, {:.4g} to {:.4g}{}", m.value.size(), *low, *high, unit_text(m.unit));
     }
     std::string line = fmt::format("    {:<28} {}, mean over {:.4g} to {:.4g} s", m.column, value, m.from, m.until);
     if (m.covered > 0.0 && m.covered < 0.999 * (m.until - m.from)) line += fmt::format(" ({:.4g} s of it)", m.covered);
