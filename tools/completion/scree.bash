@@ -1,8 +1,11 @@
 # Completion of scree's command line for bash. Installed as share/bash-completion/completions/scree; by hand:
 #   source tools/completion/scree.bash
 
-_scree_keys() {  # the keys of a scenario, as `scree explain` lists them
-    "$1" explain 2>/dev/null </dev/null | grep -oE '^ *[a-z_]+([.[*][][a-z_.*]*)?' | tr -d ' ' | sort -u
+_scree_keys() {  # the keys of a scenario, section.key, as the program's reference page lists them
+    "$1" schema --reference 2>/dev/null </dev/null | awk '
+        /^## /      { section = $0 == "## The first level" ? "" : $2 "." }
+        /^### [a-z]/ { section = $2 "." }
+        /^[|] `/    { split($0, part, "`"); print section part[2] }' | sort -u
 }
 
 _scree() {
@@ -38,7 +41,9 @@ _scree() {
             return
             ;;
         --set)
-            mapfile -t COMPREPLY < <(compgen -S = -W "$(_scree_keys "${words[0]}" | grep -v '[][*]')" -- "$cur")
+            # Keys of lists and of named sections need an index or a name in between: those are left to the user.
+            mapfile -t COMPREPLY < <(compgen -S = -W "$(_scree_keys "${words[0]}" |
+                grep -E '^((time|solver|correction|output)[.])?[a-z_]+$')" -- "$cur")
             compopt -o nospace 2>/dev/null
             return
             ;;
