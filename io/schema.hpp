@@ -1,5 +1,5 @@
 // The scenario's keys in one table: path, kind, unit, range, default, meaning. The reader, `explain`, the JSON Schema
-// and the reference page are all made from it (schema_table.cpp holds the rows, schema.cpp hangs them into a tree).
+// and the reference page are all made from it (schema_rows_*.cpp hold the rows, schema.cpp hangs them into a tree).
 //
 // Paths:  time.step              a key of a section
 //         materials.*.density    a key of each section that the user names
