@@ -81,7 +81,7 @@ def make_film(options, scratch):
 def main():
     options = arguments()
     if options.film and not shutil.which("ffmpeg"):
-        raise PictureError("--film needs ffmpeg (Debian: apt-get install ffmpeg); --all draws the pictures alone", code=2)
+        raise PictureError("--film needs ffmpeg (apt-get install ffmpeg); --all draws the pictures alone", code=2)
     paths = chosen(options)
     survey = Survey(paths, options.field)
     low, high = options.range or (survey.low, survey.high)

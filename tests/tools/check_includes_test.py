@@ -57,7 +57,8 @@ class CheckIncludes(unittest.TestCase):
                 (self.root / name).unlink()
 
     def test_a_heavy_header_stays_in_its_folder(self):
-        self.write({**GOOD, "app/a.cpp": '#include "io/heavy.hpp"\n', "io/light.hpp": '#pragma once\n#include "io/heavy.hpp"\n'})
+        self.write({**GOOD, "app/a.cpp": '#include "io/heavy.hpp"\n',
+                    "io/light.hpp": '#pragma once\n#include "io/heavy.hpp"\n'})
         code, _, err = tool("check_includes", self.root)
         self.assertEqual(code, 1)
         self.assertIn("app/a.cpp:1", err)

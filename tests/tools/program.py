@@ -14,5 +14,5 @@ def help_of(*arguments):
 
 def long_options(command):
     """The options of a command by its help: of the lines that begin with one, not of the examples."""
-    lines = [line for line in help_of(command).splitlines() if re.match(r"^\s+-", line)]
-    return {option for line in lines for option in re.findall(r"--[a-z-]+", line.split("  ")[1] if "  " in line else line)}
+    heads = re.findall(r"(?m)^ +(-\S+)", help_of(command))
+    return {option for head in heads for option in re.findall(r"--[a-z-]+", head)}

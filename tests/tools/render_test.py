@@ -34,7 +34,8 @@ class Rendering(unittest.TestCase):
         run = write_run(self.folder, 1)
         pictures = []
         for view in ("front", "top", "perspective", "120,-30"):
-            self.assertEqual(tool("render.py", run, f"--view={view}", "-o", self.folder / "v.png", "--pixels", 200)[0], 0)
+            code, _, err = tool("render.py", run, f"--view={view}", "-o", self.folder / "v.png", "--pixels", 200)
+            self.assertEqual(code, 0, err)
             pictures.append(picture(self.folder / "v.png"))
         for i, first in enumerate(pictures):
             for second in pictures[i + 1:]:

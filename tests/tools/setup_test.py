@@ -57,7 +57,8 @@ class Packages(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             log = pathlib.Path(folder) / "log"
             apt = pathlib.Path(folder) / "apt-get"
-            apt.write_text(f'#!/bin/sh\necho "$@" >> "{log}"\ncase "$*" in *update*|*--simulate*) exit 0;; esac\nexit 100\n')
+            apt.write_text(f'#!/bin/sh\necho "$@" >> "{log}"\n'
+                           'case "$*" in *update*|*--simulate*) exit 0;; esac\nexit 100\n')
             apt.chmod(0o755)
             got = bash("apt_install '' a-package", PATH=f"{folder}:{os.environ['PATH']}")
             self.assertNotEqual(got.returncode, 0)

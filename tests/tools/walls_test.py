@@ -67,7 +67,8 @@ class Lines(unittest.TestCase):
 
     def test_border_of_a_slanting_plane(self):
         bounds = (np.zeros(3), np.ones(3))
-        wall = Wall("p", "plane", {"point": [0.5, 0.5, 0.5], "normal": list(np.ones(3) / 3 ** 0.5)}, np.eye(3), np.zeros(3))
+        parameters = {"point": [0.5, 0.5, 0.5], "normal": [1.0, 1.0, 1.0]}
+        wall = Wall("p", "plane", parameters, np.eye(3), np.zeros(3))
         edges = [line for line, is_edge in lines_of(wall, bounds, CAMERA) if is_edge]
         self.assertEqual(len(edges), 6)  # a cube cut through its middle, across its diagonal: a regular hexagon
         lengths = [np.linalg.norm(line[-1] - line[0]) for line in edges]

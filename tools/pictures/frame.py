@@ -54,14 +54,19 @@ def draw_walls(axes, snapshot, camera, bounds, buffer):
             behind = z < buffer.depth[row, column] - tolerance
             # 0: not drawn, 1: in front, 2: behind bodies; each run of one kind is a line of its own
             kind = np.where(known, np.where(behind, 2, 1), 0)
-            cuts = np.flatnonzero(np.diff(kind)) + 1
-            parts = np.split(np.arange(len(kind)), cuts)
             for value, alpha in ((1, 0.85 if is_edge else 0.28), (2, 0.22 if is_edge else 0.0)):
-                runs = [np.column_stack([x, y])[max(part[0] - 1, 0) if kind[max(part[0] - 1, 0)] else part[0]:part[-1] + 1]
-                        for part in parts if kind[part[0]] == value]
-                if runs and alpha > 0.0:
+                runs = list(pieces(np.column_stack([x, y]), kind, value)) if alpha > 0.0 else []
+                if runs:
                     axes.add_collection(LineCollection(runs, colors=BLACK, alpha=alpha, capstyle="butt",
                                                        linewidths=1.1 if is_edge else 0.6))
+
+
+def pieces(points, kind, value):
+    """The parts of a line where `kind` has the value; each begins at the point before, so that no gap is left."""
+    for part in np.split(np.arange(len(kind)), np.flatnonzero(np.diff(kind)) + 1):
+        if kind[part[0]] == value:
+            before = part[0] - 1
+            yield points[before if before >= 0 and kind[before] else part[0]:part[-1] + 1]
 
 
 def nice_length(longest):
@@ -102,9 +107,10 @@ def draw_frame(snapshot, field, colours, camera, bounds, path):
     def text(x, y, what, **style):
         figure.text(x / total[0], 1.0 - y / total[1], what, color=BLACK, **style)
 
-    text(left, 20, shorten(snapshot.title or snapshot.path.stem, full_width), fontsize=11, fontweight="bold", va="center")
-    text(left, 39, f"t = {time_text(snapshot.time)}     {len(snapshot.radius):,} bodies".replace(",", "\u2009"), fontsize=9,
-         va="center")
+    title = shorten(snapshot.title or snapshot.path.stem, full_width)
+    count = f"{len(snapshot.radius):,}".replace(",", "\u2009")
+    text(left, 20, title, fontsize=11, fontweight="bold", va="center")
+    text(left, 39, f"t = {time_text(snapshot.time)}     {count} bodies", fontsize=9, va="center")
     metre = camera.pixels_per_metre / SUPERSAMPLING
     length = nice_length(0.3 * width / metre)
     bar = figure.add_axes([left / total[0], (below - 26) / total[1], length * metre / total[0], 4 / total[1]])
@@ -113,8 +119,8 @@ def draw_frame(snapshot, field, colours, camera, bounds, path):
     bar.grid(False)
     text(left, above + height + 40, length_text(length) + ("" if camera.parallel else " at the middle"), fontsize=8.5,
          va="center")
-    colour_bar(figure, colours, [(left + width + 18) / total[0], place[1] + 0.15 * place[3], 12 / total[0], 0.7 * place[3]],
-               np.asarray(field.values))
+    beside = [(left + width + 18) / total[0], place[1] + 0.15 * place[3], 12 / total[0], 0.7 * place[3]]
+    colour_bar(figure, colours, beside, field.values)
     figure.savefig(path, dpi=DOTS_PER_INCH)
     plt.close(figure)
 

@@ -45,17 +45,30 @@ def window_mean(summary, column):
     return None if mean is None or start is None or end is None else (mean, start, end)
 
 
-def finish(axes, title, unit, text):
+def finish(axes, title, unit, text, width=None):
+    """Title and labels. `width`: [s] over which the lines are means."""
     axes.set_title(title)
     axes.set_ylabel(quantity_label(text, unit))
-    axes.set_xlabel("Time [s]")
+    axes.set_xlabel("Time [s]" if width is None else f"Time [s];  means over {width * 1e3:.3g} ms")
     axes.margins(x=0.01, y=0.1)
     if len(axes.get_legend_handles_labels()[0]) > 1:
+        legend(axes)
+
+
+def legend(axes, columns=3):
+    """In a strip of its own above the lines; where it fits if the axis is logarithmic."""
+    if axes.get_yscale() == "log":
         axes.legend(loc="best")
+        return
+    rows = -(-len(axes.get_legend_handles_labels()[0]) // columns)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + (0.06 + 0.12 * rows) * (high - low))
+    axes.legend(loc="upper left", ncols=columns, columnspacing=1.2)
 
 
 def lines(axes, history, summary, entries, jumpy):
-    """One line for each (label, column), with its mean over the summary's window."""
+    """One line for each (label, column), with its mean over the summary's window. Returns the time [s] over which each
+    point is a mean, None if it is none."""
     width = None
     for (label, column), colour in zip(entries, CYCLE * (1 + len(entries) // len(CYCLE))):
         if jumpy:
@@ -66,14 +79,15 @@ def lines(axes, history, summary, entries, jumpy):
         if mean is not None:
             value, start, end = mean
             start, end = max(start, history.time[0]), min(end, history.time[-1])
+            if end - start > 0.95 * (history.time[-1] - history.time[0]):
+                continue  # nobody chose a window: the mean over filling and flow says little
             axes.plot([start, end], [value, value], color=colour, linestyle=(0, (3, 1.5)), linewidth=1.3)
             size = float(np.nanmax(np.abs(column.values)))
             text = "0" if abs(value) < 1e-5 * size else f"{value:.4g}"
             axes.annotate(text, (end, value), xytext=(2, 4), textcoords="offset points", fontsize=8,
                           ha="right" if end > 0.5 * history.time[-1] else "left", va="bottom", color=colour,
                           bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6})
-    if width is not None:
-        series.note(axes, f"means over {width * 1e3:.3g} ms", y=1.0)
+    return width
 
 
 def shared(quantity, entries):
@@ -82,8 +96,8 @@ def shared(quantity, entries):
         title += f": {entries[0][0]}"
 
     def panel(axes, history, summary):
-        lines(axes, history, summary, entries, quantity in JUMPY)
-        finish(axes, title, entries[0][1].unit, label)
+        width = lines(axes, history, summary, entries, quantity in JUMPY)
+        finish(axes, title, entries[0][1].unit, label, width)
     return panel
 
 

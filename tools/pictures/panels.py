@@ -2,8 +2,8 @@
 import numpy as np
 
 from . import measure_panels, series
-from .measure_panels import finish, number
-from .style import BLACK, BLUE, CYCLE, GREEN, GREY, ORANGE
+from .measure_panels import finish, legend, number
+from .style import BLACK, BLUE, CYCLE, GREEN, GREY, ORANGE, quantity_label
 
 
 def energy(axes, history, summary):
@@ -20,10 +20,11 @@ def energy(axes, history, summary):
     for (law, values), colour in zip(laws, [ORANGE, GREEN] + CYCLE[3:6] + CYCLE):
         draw(values, colour, f"work of {law}", linestyle=(0, (5, 1.5)))
     axes.axhline(0.0, color=GREY, linewidth=0.6)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.4 * (high - low))  # room for the legend
-    finish(axes, "Energy since the start", history["kinetic_energy"].unit or "J", "energy")
-    axes.legend(loc="upper left", ncols=2, columnspacing=1.2)
+    axes.set_title("Energy since the start")
+    axes.set_ylabel(quantity_label("energy", history["kinetic_energy"].unit or "J"))
+    axes.set_xlabel("Time [s]")
+    axes.margins(x=0.01)
+    legend(axes, columns=2)
 
 
 def imbalance(axes, history, summary):
@@ -81,13 +82,17 @@ def phases(axes, history, summary):
 
 
 def logarithmic(axes, time, lines):
-    """Lines on a logarithmic axis; zeros are left out."""
+    """Lines on a logarithmic axis. Zeros are left out, and a few tiny values do not set the range."""
+    lowest, highest = np.inf, 0.0
     for values, colour, label in lines:
         values = np.where(values > 0.0, values, np.nan)
         if np.isfinite(values).any():
             series.draw(axes, time, values, colour, label)
+            lowest = min(lowest, max(0.5 * np.nanmin(values), 0.03 * np.nanpercentile(values, 5)))
+            highest = max(highest, 2.0 * np.nanmax(values))
     if axes.lines:
         axes.set_yscale("log")
+        axes.set_ylim(lowest, highest)
 
 
 def thin(time, values, most=2000):

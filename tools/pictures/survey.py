@@ -57,7 +57,7 @@ class Survey:
             self.low, self.high = min(self.low, float(values.min())), max(self.high, float(values.max()))
 
     def take_walls(self, walls):
-        """Bounded walls are shown whole unless they are much larger than what the bodies reach; then a piece of them."""
+        """Bounded walls are shown whole; of those much larger than what the bodies reach, a piece."""
         any_body = bool(np.isfinite(self.lower).all())
         lower, upper = self.lower, self.upper
         size = float(np.max(upper - lower)) if any_body else np.inf

@@ -27,8 +27,8 @@ def lines_of(wall, bounds, camera):
 
 
 def extent_of(wall, reach):
-    """Lowest and highest point of a wall that is bounded, at least across its axis; None of an endless one. Where it has
-    no end: (inf, -inf), which widens nothing. `reach`: what is longer counts as endless."""
+    """Lowest and highest point of a wall that is bounded, at least across its axis; None of an endless one. Where it
+    has no end: (inf, -inf), which widens nothing. `reach`: what is longer counts as endless."""
     p = wall.parameters
     if wall.shape == "box":
         low, high = np.asarray(p["lower"], float), np.asarray(p["upper"], float)
@@ -72,7 +72,7 @@ def unit(vector):
 
 
 def across(normal):
-    """Two unit vectors at right angles to `normal` and to each other; along the axes of space where that is possible."""
+    """Two unit vectors at right angles to `normal` and to each other; along the axes of space if possible."""
     start = np.eye(3)[int(np.argmin(np.abs(normal)))]
     first = unit(start - (start @ normal) * normal)
     return first, np.cross(normal, first)
@@ -155,14 +155,17 @@ def border(point, normal, frame):
 
 
 def grid(point, normal, frame, first=None, hole=None):
-    """A plane inside the bounds: its border and a grid. hole(a, b): in the plane's coordinates about `point`, where there
-    is nothing."""
+    """A plane inside the bounds: its border and a grid. hole(a, b): in the plane's coordinates about `point`, where
+    there is nothing."""
     corners = border(point, normal, frame)
     if len(corners) == 0:
         return
     first = across(normal)[0] if first is None else first
     second = np.cross(normal, first)
-    to_plane = lambda points: ((points - point) @ first, (points - point) @ second)
+
+    def to_plane(points):
+        return (points - point) @ first, (points - point) @ second
+
     for i, corner in enumerate(corners):
         line = segment(corners[i - 1], corner)
         if hole is not None:
