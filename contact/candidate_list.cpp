@@ -14,9 +14,9 @@ constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wi
 
 }  // namespace
 
-bool CandidateList::still_holds(const State& state, const std::vector<double>& margin) const {
+bool CandidateList::still_holds(const State& state, double step, const std::vector<double>& margin) const {
     const Bodies& bodies = state.bodies;
-    if (!valid_ || bodies.size() != ball_.size() || state.time > valid_until_) return false;
+    if (!valid_ || bodies.size() != ball_.size() || state.time + step > valid_until_) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const double room = slack_[i] - margin[i];
         const double dx = bodies.position[i].x() - ball_[i].x, dy = bodies.position[i].y() - ball_[i].y,
@@ -27,7 +27,8 @@ bool CandidateList::still_holds(const State& state, const std::vector<double>& m
 }
 
 bool CandidateList::update(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
-    if (still_holds(state, margin)) return false;
+    place_walls(scene, state.time, step);
+    if (still_holds(state, step, margin)) return false;
     const Bodies& bodies = state.bodies;
     const std::size_t n = bodies.size();
     ball_.resize(n);
@@ -59,37 +60,33 @@ void CandidateList::rebuild_pairs(const State& state) {
     for (std::size_t i = 0; i < n; ++i) partner_begin_[i + 1] += partner_begin_[i];
 }
 
+void CandidateList::place_walls(const Scene& scene, double time, double step) {
+    const double middle = time + 0.5 * step;
+    frame_.resize(scene.walls.size());
+    for (std::size_t w = 0; w < frame_.size(); ++w) {
+        const Wall& wall = scene.walls[w];
+        frame_[w] = {wall.present(middle), wall.motion.moves(), pose_at(wall.motion, middle), bounds(wall.shape)};
+    }
+}
+
 void CandidateList::rebuild_walls(const Scene& scene, const State& state, double step) {
     const std::size_t n = state.bodies.size();
-    const double life = kStepsAhead * step;
-    bool moving = false;
-    struct Frame {
-        WallPose pose;
-        WallBounds bounds;
-    };
-    std::vector<Frame> frame;
-    for (const Wall& wall : scene.walls) {
-        frame.push_back({pose_at(wall.motion, state.time + 0.5 * step), bounds(wall.shape)});
-        moving = moving || wall.motion.moves();
-    }
-    valid_until_ = moving ? state.time + life : kForever;
+    const double life = (kStepsAhead + 1.0) * step;
+    valid_until_ = kForever;
+    for (const WallFrame& frame : frame_)
+        if (frame.moves) valid_until_ = state.time + life;
     wall_begin_.assign(n + 1, 0);
     wall_.clear();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 x(ball_[i].x, ball_[i].y, ball_[i].z);
-        for (std::uint32_t w = 0; w < scene.walls.size(); ++w) {
+        for (std::uint32_t w = 0; w < frame_.size(); ++w) {
             const Wall& wall = scene.walls[w];
-            const WallMotion& motion = wall.motion;
             double reach = slack_[i];
-            if (motion.moves()) {
-                const double speed = motion.velocity.norm() + motion.amplitude.norm() * 6.3 * motion.frequency +
-                                     std::abs(motion.rate) * (x - motion.centre).norm();
-                reach += speed * (life + step);
-            }
-            const Vec3 local = frame[w].pose.to_local(x);
+            if (frame_[w].moves) reach += life * speed_bound(wall.motion, x, ball_[i].radius, state.time, life);
+            const Vec3 local = frame_[w].pose.to_local(x);
             const double width = state.bodies.radius[i] + reach;
-            if ((local - frame[w].bounds.lower).minCoeff() < -width ||
-                (frame[w].bounds.upper - local).minCoeff() < -width)
+            if ((local - frame_[w].bounds.lower).minCoeff() < -width ||
+                (frame_[w].bounds.upper - local).minCoeff() < -width)
                 continue;
             WallContacts found;
             find_contacts(wall.shape, local, state.bodies.radius[i], reach, found);

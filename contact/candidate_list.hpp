@@ -11,10 +11,18 @@
 #include <vector>
 
 #include "contact/cell_grid.hpp"
+#include "contact/walls/wall_contact.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 
 namespace scree::contact {
+
+// A wall as it stands in the middle of the step.
+struct WallFrame {
+    bool present, moves;
+    WallPose pose;
+    WallBounds bounds;
+};
 
 class CandidateList {
   public:
@@ -31,16 +39,19 @@ class CandidateList {
     std::span<const std::uint32_t> walls(std::size_t i) const {
         return {wall_.data() + wall_begin_[i], wall_.data() + wall_begin_[i + 1]};
     }
+    const std::vector<WallFrame>& wall_frames() const { return frame_; }  // one a wall of the scene
     std::uint64_t rebuilds() const { return rebuilds_; }
     std::size_t bytes() const;
 
   private:
-    bool still_holds(const State& state, const std::vector<double>& margin) const;
+    void place_walls(const Scene& scene, double time, double step);
+    bool still_holds(const State& state, double step, const std::vector<double>& margin) const;
     void rebuild_pairs(const State& state);
     void rebuild_walls(const Scene& scene, const State& state, double step);
 
     bool valid_ = false;
-    double valid_until_ = 0.0;  // [s] moving walls
+    double valid_until_ = 0.0;  // [s] end of the last step that the reach of moving walls covers
+    std::vector<WallFrame> frame_;
     std::uint64_t rebuilds_ = 0;
     CellGrid grid_;
     std::vector<Ball> ball_;     // n, where the list was made; radius r + s

@@ -12,11 +12,6 @@ namespace {
 // Gaps smaller than this share of the radii are contact: round-off must not decide whether touching bodies touch.
 constexpr double kTouch = 1e-10;
 
-struct WallFrame {
-    bool present, moves, rotates;
-    WallPose pose;
-};
-
 }  // namespace
 
 void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin) {
@@ -34,11 +29,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
     const Vec3 gravity = scene.gravity.at(times.middle());
     const ImpactStep step{h, h * gravity.norm()};
     const double look = 0.5 * h * scene.solver.look_ahead;
-    std::vector<WallFrame> frame;
-    frame.reserve(scene.walls.size());
-    for (const Wall& wall : scene.walls)
-        frame.push_back({wall.present(times.middle()), wall.motion.moves(), wall.motion.rate != 0.0,
-                         pose_at(wall.motion, times.middle())});
+    const std::vector<WallFrame>& frame = candidates.wall_frames();
     contacts.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& x = bodies.position[i];

@@ -19,7 +19,7 @@ struct StepTimes {
 void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin);
 
 // `state.bodies.position` holds q_m, `velocity` and `spin` are those at the start of the step.
-// Contacts come out in order of key.
+// `candidates` were updated for this step. Contacts come out in order of key.
 void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,
                    ContactSet& contacts);
 

@@ -72,6 +72,14 @@ Vec3 mean_velocity(const WallMotion& motion, const Vec3& world, double time, dou
     return displacement / step;
 }
 
+double speed_bound(const WallMotion& motion, const Vec3& world, double reach, double time, double duration) {
+    const double along =
+        motion.velocity.norm() + motion.amplitude.norm() * 2.0 * std::numbers::pi * std::abs(motion.frequency);
+    if (motion.rate == 0.0) return along;
+    const Vec3 centre = motion.centre + offset(motion, motion_time(motion, time));
+    return along + std::abs(motion.rate) * ((world - centre).norm() + reach + along * duration);
+}
+
 Wall translated(const Wall& wall, const Vec3& shift) {
     Wall moved = wall;
     std::visit(Translate{shift}, moved.shape);

@@ -16,8 +16,19 @@ namespace {
 
 constexpr int kMostHalvings = 20;
 
-// Into how many equal substeps this step is cut, a power of two: no body moves more than max_travel of its radius.
-int substeps(const Scene& scene, const State& state) {
+// Fastest thin wall near body i [m/s]: a wall can pass a body as a body can pass a wall.
+double thin_wall_speed(const Scene& scene, const State& state, std::size_t i, double step) {
+    double fastest = 0.0;
+    for (const Wall& wall : scene.walls)
+        if (wall.motion.moves() && wall.present(state.time + 0.5 * step) && contact::is_thin(wall.shape))
+            fastest = std::max(
+                fastest, speed_bound(wall.motion, state.bodies.position[i], state.bodies.radius[i], state.time, step));
+    return fastest;
+}
+
+// Into how many equal substeps this step is cut, a power of two: no body moves more than max_travel of its radius,
+// relative to the thin walls.
+int substeps(const Scene& scene, const Plan& plan, const State& state) {
     if (scene.time.max_travel <= 0.0) return 1;
     const bool can_pass =
         state.bodies.size() > 1 ||
@@ -25,8 +36,11 @@ int substeps(const Scene& scene, const State& state) {
     if (!can_pass) return 1;
     const double h = scene.time.step, g = scene.gravity.at(state.time + 0.5 * h).norm();
     double most = 0.0;  // radii moved in this step
-    for (std::size_t i = 0; i < state.bodies.size(); ++i)
-        most = std::max(most, h * (state.bodies.velocity[i].norm() + h * g) / state.bodies.radius[i]);
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+        double speed = state.bodies.velocity[i].norm() + h * g;
+        if (plan.moving_walls) speed += thin_wall_speed(scene, state, i, h);
+        most = std::max(most, h * speed / state.bodies.radius[i]);
+    }
     int n = 1;
     for (int k = 0; k < kMostHalvings && most / n > scene.time.max_travel; ++k) n *= 2;
     return n;
@@ -85,7 +99,7 @@ Stepper::~Stepper() = default;
 
 StepReport Stepper::Impl::advance(State& state) {
     std::fill(loads.begin(), loads.end(), WallLoad{});
-    const int parts = substeps(scene, state);
+    const int parts = substeps(scene, plan, state);
     if (parts > 1) ++state.totals.substepped;
     const double begin = state.time, h = scene.time.step / parts;
     StepReport whole;

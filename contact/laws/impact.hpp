@@ -33,7 +33,7 @@ inline bool impact_law(const ImpactInput& in, const ImpactStep& step, double& bi
         return true;
     }
     const bool closes = in.gap + 0.5 * step.step * in.free_approach <= 0.0;
-    const bool rests = in.restitution == 0.0 || -in.approach <= 2.0 * step.resting_speed;
+    const bool rests = in.restitution == 0.0 || (in.restitution < 1.0 && -in.approach <= 2.0 * step.resting_speed);
     if (closes && !rests) {
         bias = in.restitution * in.approach;
         return true;
