@@ -100,11 +100,11 @@ std::vector<Row> run() {
                   "speed, and the "
                   "order of contacts (so the last digits), not accuracy. 0: chosen from the sizes of the bodies."),
         number("solver.look_ahead")
-            .standardly("1")
+            .standardly("0")
             .in(kNotNegative)
-            .says("Contacts that are still open at the middle of the step are held if their gap is below this share of "
-                  "the distance "
-                  "that the bodies move in the step. Larger: less penetration, and more contacts to solve."),
+            .says("Contacts that free flight would leave open in this step are held too if their gap is below this share "
+                  "of what the two bodies move against each other in half a step. Larger: less penetration on impact, "
+                  "more contacts to solve, and impacts that lose their restitution."),
 
         section("correction")
             .standardly("{}")
