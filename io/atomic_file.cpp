@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "core/errors.hpp"
 
@@ -38,6 +39,15 @@ class Descriptor {
             if (n < 0) throw_system_error(path_, "cannot be written", errno);
             text.remove_prefix(static_cast<std::size_t>(n));
         }
+    }
+    // As much as fits in `room`; "" at the end of the file.
+    std::string_view read_piece(std::vector<char>& room) const {
+        ssize_t n = 0;
+        do {
+            n = ::read(fd_, room.data(), room.size());
+        } while (n < 0 && errno == EINTR);
+        if (n < 0) throw_system_error(path_, "cannot be read", errno);
+        return {room.data(), static_cast<std::size_t>(n)};
     }
     // Some file systems cannot sync a folder and say EINVAL: there is then nothing more to be done.
     void sync() const {
@@ -88,6 +98,15 @@ void write_text_atomically(const std::string& path, std::string_view text) {
     out.write_all(text);
     out.close();
     file.commit();
+}
+
+void copy_file(const std::string& from, const std::string& to) {
+    const Descriptor in(from, O_RDONLY);
+    Descriptor out(to, O_WRONLY | O_CREAT | O_TRUNC);
+    std::vector<char> room(std::size_t{1} << 20);
+    for (std::string_view piece = in.read_piece(room); !piece.empty(); piece = in.read_piece(room))
+        out.write_all(piece);
+    out.close();
 }
 
 std::string read_text(const std::string& path) {

@@ -25,6 +25,7 @@ class AtomicFile {
 };
 
 void write_text_atomically(const std::string& path, std::string_view text);
+void copy_file(const std::string& from, const std::string& to);
 std::string read_text(const std::string& path);
 // Makes the folder and its parents; IoError with the path and the system's reason if that cannot be.
 void make_folder(const std::string& path);

@@ -26,6 +26,15 @@ herr_t collect_error(unsigned, const H5E_error2_t* error, void* data) {
     return 0;
 }
 
+// If the system refused something, its reason says it all; HDF5 hides it in "..., error message = 'reason', ...".
+std::string system_reason(const std::string& description) {
+    constexpr std::string_view kBefore = "error message = '";
+    const std::size_t start = description.find(kBefore);
+    if (start == std::string::npos) return "";
+    const std::string rest = description.substr(start + kBefore.size());
+    return rest.substr(0, rest.find('\''));
+}
+
 Hdf5Id file_access(const std::string& path) {
     silence_hdf5();
     Hdf5Id access = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path, "HDF5 cannot be used");
@@ -74,6 +83,8 @@ void throw_hdf5_error(const std::string& file, const std::string& what) {
     ErrorText text;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, collect_error, &text);
     std::string message = file + ": " + what;
+    const std::string reason = system_reason(text.innermost);
+    if (!reason.empty()) throw IoError(message + ": " + reason);
     if (!text.outermost.empty()) message += ": " + text.outermost;
     if (text.innermost != text.outermost) message += ": " + text.innermost;
     throw IoError(message);

@@ -1,8 +1,6 @@
 #include "io/history.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <filesystem>
 
 #include "core/errors.hpp"
 #include "io/atomic_file.hpp"
@@ -35,9 +33,7 @@ Rows rows_of_column(const HistoryColumn& column, const std::vector<double>& valu
 template <class Change>
 void change_copy(const std::string& path, const Change& change) {
     AtomicFile copy(path);
-    std::error_code code;
-    std::filesystem::copy_file(path, copy.temporary(), std::filesystem::copy_options::overwrite_existing, code);
-    if (code) throw IoError(path + ": cannot be copied: " + code.message());
+    copy_file(path, copy.temporary());
     Hdf5File file = Hdf5File::open_writable(copy.temporary());
     change(file.root());
     file.close();

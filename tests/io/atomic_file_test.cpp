@@ -79,6 +79,18 @@ TEST(AtomicFile, AFullDiskIsAnError) {
     EXPECT_EQ(read_text(folder / "a.txt"), "old");
 }
 
+TEST(AtomicFile, CopiesGiveTheSystemsReason) {
+    const TemporaryFolder folder;
+    const std::string text(3000000, 'x');
+    write_text_atomically(folder / "a", text);
+    copy_file(folder / "a", folder / "b");
+    EXPECT_EQ(read_text(folder / "b"), text);
+    EXPECT_THAT(io_error([&] { copy_file(folder / "a", "/dev/full"); }),
+                HasSubstr("/dev/full: cannot be written: No space"));
+    EXPECT_THAT(io_error([&] { copy_file(folder / "none", folder / "c"); }),
+                HasSubstr("none: cannot be opened: No such file"));
+}
+
 TEST(AtomicFile, LeftoversOfAKilledProgramAreRemoved) {
     const TemporaryFolder folder;
     write_text_atomically(folder / "a.h5", "whole");
