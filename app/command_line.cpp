@@ -21,9 +21,15 @@ std::string quoted(const std::string& word) {
     static constexpr std::string_view kPlain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
     if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
+    std::string text;
+    for (const char c : word) {
+        if (c == '\'') {
+            text.append("'\\''");
+        } else {
+            text.push_back(c);
+        }
+    }
+    return fmt::format("'{}'", text);
 }
 
 struct Arguments {

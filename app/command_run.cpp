@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/human_text.hpp"
+#include "app/memory_model.hpp"
 #include "app/run_loop.hpp"
 #include "app/run_setup.hpp"
 #include "app/run_summary.hpp"
@@ -20,6 +21,12 @@ namespace {
 bool is_complete(const RunSetup& setup, const OutputSchedule& schedule, const RunFolder& folder) {
     if (!setup.resumed || setup.state.step < schedule.steps || !std::filesystem::exists(folder.summary())) return false;
     return io::read_text(folder.summary().string()).find("status: complete") != std::string::npos;
+}
+
+Plan plan_with_memory(const Scene& scene, const Bodies& bodies) {
+    Plan plan = make_plan(scene, bodies);
+    measure_memory(scene, plan);
+    return plan;
 }
 
 void say_start(const RunSetup& setup, const Plan& plan, const OutputSchedule& schedule, const RunFolder& folder,
@@ -44,7 +51,7 @@ class Run {
         : setup_(std::move(setup)),
           folder_(folder),
           console_(console),
-          plan_(make_plan(setup_.scene, setup_.state.bodies)),
+          plan_(plan_with_memory(setup_.scene, setup_.state.bodies)),
           schedule_(setup_.scene.time, setup_.scene.output),
           stepper_(setup_.scene, plan_),
           measures_(setup_.scene),
@@ -83,6 +90,8 @@ ExitCode Run::execute() {
     } catch (const Error& error) {
         console_.end_live();
         note_failure(error);
+        console_.info(
+            fmt::format("what was written until t = {:.6g} s is in {}", setup_.state.time, folder_.path().string()));
         throw;
     }
 }

@@ -110,6 +110,17 @@ void RunOutput::log_progress(const State& state, const StepReport& report) {
     sweeps_logged_ = state.totals.sweeps;
 }
 
+RunOutput::Files RunOutput::snapshot_files() const {
+    Files files;
+    for (const std::string& path : io::list_snapshots(folder_.path().string())) {
+        std::error_code fault;
+        const auto size = fs::file_size(path, fault);
+        ++files.count;
+        if (!fault) files.bytes += size;
+    }
+    return files;
+}
+
 void RunOutput::log_status(const State& state, const std::string& status, const std::string& reason) {
     log_.status(status, reason, state.time, state.step, state_hash(state.bodies));
 }

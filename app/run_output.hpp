@@ -37,7 +37,11 @@ class RunOutput {
     // [s] the longest that a checkpoint took; at the start a guess from the size of the state.
     double longest_checkpoint() const { return longest_checkpoint_; }
     bool has_checkpoint() const { return !last_checkpoint_.empty(); }
-    const io::SnapshotSeries& snapshots() const { return snapshots_; }
+    // All snapshots in the folder, those of earlier parts of a resumed run too.
+    struct Files {
+        std::uint64_t count = 0, bytes = 0;
+    };
+    Files snapshot_files() const;
     const io::Provenance& provenance() const { return provenance_; }
 
   private:

@@ -116,8 +116,9 @@ io::Summary make_summary(const Scene& scene, const Plan& plan, const State& stat
     for (const solvers::Measures::Mean& m : solvers::Measures::means(scene, state)) {
         summary.measures.push_back({m.column, m.unit, m.value, m.from, m.until, m.covered});
     }
-    summary.output_files = output.snapshots().files();
-    summary.output_bytes = output.snapshots().bytes();
+    const RunOutput::Files files = output.snapshot_files();
+    summary.output_files = files.count;
+    summary.output_bytes = files.bytes;
     summary.warnings = std::move(warnings);
     summary.provenance = output.provenance();
     return summary;
@@ -146,8 +147,9 @@ std::string summary_text(const io::Summary& s, const Scene& scene, const RunFold
     for (const io::SummaryMean& m : s.measures) text += measure_line(m);
     for (const std::string& warning : s.warnings) text += "  warning     " + warning + "\n";
     text += fmt::format("  state       {:016x}\n", s.state_hash);
-    text += fmt::format("  results     {}: summary.yaml, history.h5, run.xdmf with {} (ParaView)\n",
-                        folder.path().string(), plural(s.output_files, "snapshot", "snapshots"));
+    text += fmt::format("  results     {}: summary.yaml, history.h5, run.xdmf (for ParaView) with {}, {}\n",
+                        folder.path().string(), plural(s.output_files, "snapshot", "snapshots"),
+                        bytes_text(static_cast<double>(s.output_bytes)));
     return text;
 }
 
