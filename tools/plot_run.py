@@ -16,7 +16,7 @@ def headline(history, summary):
     """Title and a line of facts."""
     title = summary.get("title") or runs.text_of(history.attributes.get("title", "")) or "Run"
     facts = []
-    for key, words in (("bodies", "{:,.0f} bodies at the end"), ("steps", "{:,.0f} steps"),
+    for key, words in (("bodies", "bodies at the end: {:,.0f}"), ("steps", "{:,.0f} steps"),
                        ("simulated_time", "{:.4g} s simulated"), ("wall_time", "{:.4g} s of wall time")):
         value = number(summary.get(key))
         if value is not None:

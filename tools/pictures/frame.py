@@ -108,9 +108,9 @@ def draw_frame(snapshot, field, colours, camera, bounds, path):
         figure.text(x / total[0], 1.0 - y / total[1], what, color=BLACK, **style)
 
     title = shorten(snapshot.title or snapshot.path.stem, full_width)
-    count = f"{len(snapshot.radius):,}".replace(",", "\u2009")
+    count = f"{len(snapshot.radius):,}".replace(",", "\u2009") + (" body" if len(snapshot.radius) == 1 else " bodies")
     text(left, 20, title, fontsize=11, fontweight="bold", va="center")
-    text(left, 39, f"t = {time_text(snapshot.time)}     {count} bodies", fontsize=9, va="center")
+    text(left, 39, f"t = {time_text(snapshot.time)}     {count}", fontsize=9, va="center")
     metre = camera.pixels_per_metre / SUPERSAMPLING
     length = nice_length(0.3 * width / metre)
     bar = figure.add_axes([left / total[0], (below - 26) / total[1], length * metre / total[0], 4 / total[1]])

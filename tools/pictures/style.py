@@ -1,11 +1,4 @@
 """One look for all pictures. Colours: Okabe and Ito (2008), distinguishable with every kind of colour vision."""
-import os
-import tempfile
-
-# matplotlib wants a folder for its caches; a home that cannot be written to must not matter.
-if not os.access(os.path.expanduser("~"), os.W_OK):
-    os.environ.setdefault("MPLCONFIGDIR", os.path.join(tempfile.gettempdir(), f"matplotlib-{os.getuid()}"))
-
 import matplotlib
 
 matplotlib.use("Agg")

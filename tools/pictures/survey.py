@@ -23,7 +23,7 @@ class Survey:
                 self.field_name = "speed" if "speed" in snapshot.available_fields() else "radius"
             field = snapshot.field(self.field_name)
             self.take_bodies(snapshot)
-            self.take_values(field)
+            self.take_values(field, snapshot)
             for wall in snapshot.walls:
                 walls.setdefault((wall.name, wall.rotation.tobytes(), wall.translation.tobytes()), wall)
         self.take_walls(walls.values())
@@ -43,7 +43,7 @@ class Survey:
             lowest, highest = np.maximum(lowest, most[0] - slack), np.minimum(highest, most[1] + slack)
         self.lower, self.upper = np.minimum(self.lower, lowest), np.maximum(self.upper, highest)
 
-    def take_values(self, field):
+    def take_values(self, field, snapshot):
         """All but the largest half percent, so that one fast body does not make the rest dark."""
         values = field.values[np.isfinite(field.values)]
         if len(values) == 0:
@@ -52,7 +52,10 @@ class Survey:
             high = float(np.percentile(abs(values), 99.5))
             self.low, self.high = min(self.low, -high), max(self.high, high)
         elif field.name in FROM_ZERO:
-            self.low, self.high = 0.0, max(self.high, float(np.percentile(values, 99.5)))
+            # what is at rest has no colours of its own: 1e-6 of the speed of falling through a radius
+            radius = float(np.median(snapshot.radius))
+            least = 1e-6 * (2.0 * 9.81 * radius) ** 0.5 / (radius if field.name == "spin" else 1.0)
+            self.low, self.high = 0.0, max(self.high, least, float(np.percentile(values, 99.5)))
         else:
             self.low, self.high = min(self.low, float(values.min())), max(self.high, float(values.max()))
 
