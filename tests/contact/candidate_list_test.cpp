@@ -106,5 +106,40 @@ TEST(CandidateList, MovingWalls) {
     EXPECT_GT(compare(w, kept, 100, 1e-3), 1000U);
 }
 
+TEST(CandidateList, StepsOfChangingLength) {
+    World w(1e-3, 0.0, 0.5);
+    w.gravity(Vec3::Zero());
+    for (int i = 0; i < 40; ++i) w.add(Vec3(i, 0, 0.05 + 0.0005 * i), 0.05);
+    WallMotion push;
+    push.velocity = Vec3(0, 0, 2.0);
+    w.add_wall(PlaneWall{Vec3::Zero(), Vec3::UnitZ()}, push);
+    CandidateList kept;
+    for (const double h : {1e-3 / 256, 8e-3, 1e-3 / 64, 1e-3}) compare(w, kept, 5, h);
+}
+
+// A wall that turns about a centre which travels far from where the motion began: the arm counts, not the distance
+// from the first centre.
+TEST(CandidateList, AWallThatTurnsAndTravels) {
+    World w(1e-3, 0.0, 0.5);
+    w.gravity(Vec3::Zero());
+    for (int i = 0; i < 40; ++i) w.add(Vec3(0, 0.003 * i, 0), 0.001);
+    WallMotion roll;
+    roll.axis = Vec3::UnitX();
+    roll.rate = 1.0;
+    roll.velocity = Vec3(0, 10, 0);
+    w.add_wall(PlaneWall{Vec3(0, 0, -1000.6), Vec3::UnitZ()}, roll);
+    w.state.time = 10.0;
+    w.scene.walls[0].motion.start = 0.0;
+    // at 10 s the plane has turned by 10 rad about (0, 100, 0): put it so that it just misses the bodies then
+    const WallPose pose = pose_at(roll, 10.0);
+    auto& plane = std::get<PlaneWall>(w.scene.walls[0].shape);
+    const Vec3 normal = pose.rotation * plane.normal;
+    double nearest = 1e300;
+    for (const Vec3& x : w.state.bodies.position) nearest = std::min(nearest, normal.dot(x));
+    plane.point = pose.to_local(normal * (nearest - 0.004));
+    CandidateList kept;
+    compare(w, kept, 30, 1e-4);
+}
+
 }  // namespace
 }  // namespace scree::contact

@@ -61,9 +61,9 @@ TEST(ImpactLaw, GravityThatClosesTheGapCounts) {
     EXPECT_TRUE(judge(1e-3, 0.0, 0.0, 0.0, -0.3).part);  // the free velocity closes it
 }
 
-// Whatever the input: a contact without overlap ends without overlap if its law is kept, except where Newton's law
-// keeps the overlap that the approach to the middle of the step made; and a contact that takes no part cannot overlap
-// by free flight.
+// Whatever the input: a contact without overlap ends without overlap if its law is kept, and one that takes no part
+// cannot overlap by free flight. Only an elastic hop that gravity turns within the step may: its speed is turned round,
+// and with it the way that it could go in half a step.
 TEST(ImpactLaw, NothingOverlapsUnseen) {
     Random random(5, 1, 0);
     for (int i = 0; i < 20000; ++i) {
@@ -75,7 +75,8 @@ TEST(ImpactLaw, NothingOverlapsUnseen) {
             EXPECT_GE(gap + 0.5 * kStep * (approach + push), -1e-17);
         } else {
             const double end_speed = std::max(approach + push, -v.bias);
-            EXPECT_GE(gap + 0.5 * kStep * end_speed, -1e-17) << gap << ' ' << approach << ' ' << e;
+            const double hop = e == 1.0 && approach > 0.0 ? 0.5 * kStep * approach : 0.0;
+            EXPECT_GE(gap + 0.5 * kStep * end_speed, -hop - 1e-17) << gap << ' ' << approach << ' ' << e;
         }
     }
 }
