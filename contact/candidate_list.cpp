@@ -14,9 +14,9 @@ constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wi
 
 }  // namespace
 
-bool CandidateList::still_holds(const State& state, double step, const std::vector<double>& margin) const {
+bool CandidateList::still_holds(const State& state, double time, const std::vector<double>& margin) const {
     const Bodies& bodies = state.bodies;
-    if (!valid_ || bodies.size() != ball_.size() || state.time + step > valid_until_) return false;
+    if (!valid_ || bodies.size() != ball_.size() || time > valid_until_) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const double room = slack_[i] - margin[i];
         const double dx = bodies.position[i].x() - ball_[i].x, dy = bodies.position[i].y() - ball_[i].y,
@@ -26,9 +26,10 @@ bool CandidateList::still_holds(const State& state, double step, const std::vect
     return true;
 }
 
-bool CandidateList::update(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
-    place_walls(scene, state.time, step);
-    if (still_holds(state, step, margin)) return false;
+bool CandidateList::bring(const Scene& scene, const State& state, double step, double time,
+                          const std::vector<double>& margin) {
+    place_walls(scene, time, state.time + 0.5 * step);
+    if (still_holds(state, time, margin)) return false;
     const Bodies& bodies = state.bodies;
     const std::size_t n = bodies.size();
     ball_.resize(n);
@@ -40,7 +41,7 @@ bool CandidateList::update(const Scene& scene, const State& state, double step, 
         ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
     }
     rebuild_pairs(state);
-    rebuild_walls(scene, state, step);
+    rebuild_walls(scene, state, step, time);
     valid_ = true;
     ++rebuilds_;
     return true;
@@ -60,21 +61,20 @@ void CandidateList::rebuild_pairs(const State& state) {
     for (std::size_t i = 0; i < n; ++i) partner_begin_[i + 1] += partner_begin_[i];
 }
 
-void CandidateList::place_walls(const Scene& scene, double time, double step) {
-    const double middle = time + 0.5 * step;
+void CandidateList::place_walls(const Scene& scene, double time, double present_at) {
     frame_.resize(scene.walls.size());
     for (std::size_t w = 0; w < frame_.size(); ++w) {
         const Wall& wall = scene.walls[w];
-        frame_[w] = {wall.present(middle), wall.motion.moves(), pose_at(wall.motion, middle), bounds(wall.shape)};
+        frame_[w] = {wall.present(present_at), wall.motion.moves(), pose_at(wall.motion, time), bounds(wall.shape)};
     }
 }
 
-void CandidateList::rebuild_walls(const Scene& scene, const State& state, double step) {
+void CandidateList::rebuild_walls(const Scene& scene, const State& state, double step, double time) {
     const std::size_t n = state.bodies.size();
-    const double life = (kStepsAhead + 1.0) * step;
+    const double life = kStepsAhead * step;
     valid_until_ = kForever;
     for (const WallFrame& frame : frame_)
-        if (frame.moves) valid_until_ = state.time + life;
+        if (frame.moves) valid_until_ = time + life;
     wall_begin_.assign(n + 1, 0);
     wall_.clear();
     for (std::size_t i = 0; i < n; ++i) {
@@ -82,7 +82,7 @@ void CandidateList::rebuild_walls(const Scene& scene, const State& state, double
         for (std::uint32_t w = 0; w < frame_.size(); ++w) {
             const Wall& wall = scene.walls[w];
             double reach = slack_[i];
-            if (frame_[w].moves) reach += life * speed_bound(wall.motion, x, ball_[i].radius, state.time, life);
+            if (frame_[w].moves) reach += life * speed_bound(wall.motion, x, ball_[i].radius, time, life);
             const Vec3 local = frame_[w].pose.to_local(x);
             const double width = state.bodies.radius[i] + reach;
             if ((local - frame_[w].bounds.lower).minCoeff() < -width ||

@@ -17,7 +17,7 @@
 
 namespace scree::contact {
 
-// A wall as it stands in the middle of the step.
+// A wall as it stands at the time of the last update.
 struct WallFrame {
     bool present, moves;
     WallPose pose;
@@ -26,9 +26,15 @@ struct WallFrame {
 
 class CandidateList {
   public:
-    // Positions in state.bodies are those of the middle of the step. `margin` [m]: one a body.
+    // Makes sure that the list holds all that is within the margins [m], one a body, of the positions in state.bodies:
+    // those of the middle of the step from state.time on, or those of its end. Walls stand where they are then.
     // Returns true if the list was made anew.
-    bool update(const Scene& scene, const State& state, double step, const std::vector<double>& margin);
+    bool update(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
+        return bring(scene, state, step, state.time + 0.5 * step, margin);
+    }
+    bool update_at_end(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
+        return bring(scene, state, step, state.time + step, margin);
+    }
     // Forget the list: bodies came, went or changed places in the arrays.
     void invalidate() { valid_ = false; }
 
@@ -44,13 +50,14 @@ class CandidateList {
     std::size_t bytes() const;
 
   private:
-    void place_walls(const Scene& scene, double time, double step);
-    bool still_holds(const State& state, double step, const std::vector<double>& margin) const;
+    bool bring(const Scene& scene, const State& state, double step, double time, const std::vector<double>& margin);
+    void place_walls(const Scene& scene, double time, double present_at);
+    bool still_holds(const State& state, double time, const std::vector<double>& margin) const;
     void rebuild_pairs(const State& state);
-    void rebuild_walls(const Scene& scene, const State& state, double step);
+    void rebuild_walls(const Scene& scene, const State& state, double step, double time);
 
     bool valid_ = false;
-    double valid_until_ = 0.0;  // [s] end of the last step that the reach of moving walls covers
+    double valid_until_ = 0.0;  // [s] the last time that the reach of moving walls covers
     std::vector<WallFrame> frame_;
     std::uint64_t rebuilds_ = 0;
     CellGrid grid_;

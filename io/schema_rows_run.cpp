@@ -114,12 +114,12 @@ std::vector<Row> run() {
             .standardly("true")
             .says("Correct penetration. Without it every small overlap stays for ever, and beds pack too densely."),
         integer("correction.sweeps")
-            .standardly("5")
+            .standardly("40")
             .in(between(1, 1000))
             .says("Sweeps of the correction in each step. More: the correction reaches further through a dense pack, "
                   "and costs more."),
         number("correction.share")
-            .standardly("0.5")
+            .standardly("0.8")
             .in(between(0, 1))
             .says("The share of each penetration that one step aims to take away. Large values shake dense packs, "
                   "small ones leave "

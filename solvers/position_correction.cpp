@@ -1,139 +1,95 @@
 #include "solvers/position_correction.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solvers/kernels.hpp"
 
 namespace scree::solvers {
 namespace {
 
-// Penetration below this share of the diameter is round-off and not worth a sweep.
-constexpr double kNegligible = 1e-12;
-
-Pack normal_impulse(const FrictionBatch& batch) {
-    return dot(load3(batch.p), load3(batch.n));
-}
-Pack normal_impulse(const FrictionlessBatch& batch) {
-    return Pack::load(batch.p[0]);
-}
-
-// Relative displacement of the centres of each lane in half a step.
-template <class Batch, class Line>
-Pack3 half_motion(const Batch& batch, const Line* line, double half_step) {
-    Pack3 va, vb;
-    Pack unused;
-    gather4([&](int i) { return line[batch.a[i]].v; }, va.x, va.y, va.z, unused);
-    gather4([&](int i) { return line[batch.b[i]].v; }, vb.x, vb.y, vb.z, unused);
-    return Pack::all(half_step) * (va - vb);
-}
+// Sweeps end when none moves a contact by more than this share of the smallest diameter.
+constexpr double kSettled = 1e-4;
 
 }  // namespace
 
-template <class Law>
-double PositionCorrection<Law>::deepest(const ContactProblem<Law>& problem, const contact::ContactSet& contacts,
-                                        const Layout& layout, const CorrectionSettings& settings, double step,
-                                        const State& state) {
-    const auto& batches = problem.batches();
-    gaps_.resize(batches.size());
-    const Pack zero = Pack::all(0.0), one = Pack::all(1.0), two = Pack::all(2.0), share = Pack::all(settings.share);
-    Pack depth = zero;
-    for (std::size_t k = 0; k < batches.size(); ++k) {
-        Gaps& g = gaps_[k];
-        g = Gaps{};
+void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share) {
+    line_.resize(bodies.size() + 1);
+    line_[kGround] = SlidingLine{};
+    for (std::size_t i = 0; i < bodies.size(); ++i) line_[i + 1] = {{0.0, 0.0, 0.0}, 1.0 / bodies.mass[i]};
+    batch_.resize(layout_.batches());
+    for (std::size_t k = 0; k < batch_.size(); ++k) {
+        FrictionlessBatch& batch = batch_[k];
+        batch = FrictionlessBatch{};
         for (int i = 0; i < kLanes; ++i) {
-            const std::uint32_t c = layout.lanes()[k][static_cast<std::size_t>(i)];
-            if (c == kNoContact) continue;
-            const contact::Contact& contact = contacts[c];
-            const double radius = state.bodies.radius[contact.a];
-            g.gap[i] = contact.gap;
-            g.diameter[i] = contact.key.is_wall() ? 2.0 * radius : radius + state.bodies.radius[contact.b];
-            const double distance = g.diameter[i] + contact.gap;
-            g.curvature[i] = contact.key.is_wall() || distance <= 0.0 ? 0.0 : 1.0 / distance;
+            const std::uint32_t index = layout_.lanes()[k][static_cast<std::size_t>(i)];
+            if (index == kNoContact) continue;
+            const contact::Contact& c = contacts[index];
+            batch.a[i] = c.a + 1;
+            batch.b[i] = c.key.is_wall() ? kGround : c.b + 1;
+            for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
+            batch.bias[i] = c.gap < 0.0 ? share * c.gap : c.gap;
+            batch.inverse_w[i] = 1.0 / (line_[batch.a[i]].inverse_mass + line_[batch.b[i]].inverse_mass);
         }
-        // |D n + s| - D with D = 1 / curvature, written so that a wall (curvature 0) gives n . s
-        const Pack3 s = half_motion(batches[k], problem.lines().data(), 0.5 * step);
-        const Pack sn = dot(s, load3(batches[k].n)), kappa = Pack::load(g.curvature);
-        const Pack squared = one + kappa * (two * sn + kappa * dot(s, s));
-        const Pack moved = (two * sn + kappa * dot(s, s)) / (sqrt(max(squared, zero)) + one);
-        const Pack gap = Pack::load(g.gap) + moved;
-        gap.store(g.gap);
-        where_less(gap, zero, share * gap, gap).store(g.bias);
-        const Pack diameter = Pack::load(g.diameter);
-        depth = max(depth, where_less(zero, diameter, (zero - gap) / max(diameter, Pack::all(kTiny)), zero));
     }
-    return max_lanes(depth);
 }
 
-template <class Law>
-Penetration PositionCorrection<Law>::measure(const ContactProblem<Law>& problem) const {
-    const Pack zero = Pack::all(0.0), one = Pack::all(1.0);
-    Pack deepest = zero, deepest_relative = zero, sum = zero, sum_relative = zero, count = zero;
-    for (std::size_t k = 0; k < gaps_.size(); ++k) {
-        const auto& batch = problem.batches()[k];
-        const SlidingPair pair(batch, line_.data());
-        const Pack gap = Pack::load(gaps_[k].gap) + pair.normal_velocity(load3(batch.n));
-        const Pack diameter = Pack::load(gaps_[k].diameter);
-        const Pack depth = where_less(zero, diameter, max(zero - gap, zero), zero);
-        const Pack relative = depth / max(diameter, Pack::all(kTiny));
-        const Pack closed = where_less(zero, max(normal_impulse(batch), depth), one, zero);
-        deepest = max(deepest, depth);
-        deepest_relative = max(deepest_relative, relative);
-        sum = sum + depth;
-        sum_relative = sum_relative + relative;
-        count = count + closed;
+Penetration PositionCorrection::measure(const contact::ContactSet& contacts, const Bodies& bodies,
+                                        std::size_t closed) const {
+    Penetration result;
+    std::size_t overlaps = 0;
+    for (const contact::Contact& c : contacts) {
+        const SlidingLine& a = line_[c.a + 1];
+        const SlidingLine& b = line_[c.key.is_wall() ? kGround : c.b + 1];
+        double gap = c.gap;
+        for (int d = 0; d < 3; ++d) gap += c.normal[d] * (a.v[d] - b.v[d]);
+        if (gap >= 0.0) continue;
+        const double relative = -gap / contact::NearContacts::diameter(c, bodies);
+        ++overlaps;
+        result.max = std::max(result.max, -gap);
+        result.max_relative = std::max(result.max_relative, relative);
+        result.mean -= gap;
+        result.mean_relative += relative;
     }
-    const double n = std::max(1.0, sum_lanes(count));
-    return {max_lanes(deepest), sum_lanes(sum) / n, max_lanes(deepest_relative), sum_lanes(sum_relative) / n};
+    const auto count = static_cast<double>(std::max({overlaps, closed, std::size_t{1}}));
+    result.mean /= count;
+    result.mean_relative /= count;
+    return result;
 }
 
-template <class Law>
-CorrectionReport PositionCorrection<Law>::apply(const ContactProblem<Law>& problem, const contact::ContactSet& contacts,
-                                                const Layout& layout, const CorrectionSettings& settings, double step,
-                                                const Vec3& gravity, State& state) {
+CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std::size_t closed, double block_size,
+                                           contact::CandidateList& candidates, State& state) {
     CorrectionReport report;
     Bodies& bodies = state.bodies;
-    const double depth = deepest(problem, contacts, layout, settings, step, state);
-    line_.resize(problem.lines().size());
-    for (std::size_t i = 0; i < line_.size(); ++i) line_[i] = {{0.0, 0.0, 0.0}, problem.lines()[i].inverse_mass};
-    if (settings.on && depth > kNegligible) {
-        for (; report.sweeps < settings.sweeps; ++report.sweeps) {
-            for (std::size_t k = 0; k < gaps_.size(); ++k) {
-                const auto& batch = problem.batches()[k];
-                SlidingPair pair(batch, line_.data());
-                const Pack3 n = load3(batch.n);
-                const Pack p = Pack::load(gaps_[k].p);
-                const Pack solved =
-                    max(p - Pack::load(batch.inverse_w) * (pair.normal_velocity(n) + Pack::load(gaps_[k].bias)),
-                        Pack::all(0.0));
-                solved.store(gaps_[k].p);
-                pair.push(batch, line_.data(), n, solved - p);
-            }
+    const contact::ContactSet& contacts = near_.find(scene, state, step, candidates);
+    if (contacts.empty()) return report;
+    layout_.arrange(contacts, bodies, block_size);
+    assemble(contacts, bodies, scene.correction.share);
+    if (scene.correction.on) {
+        const Pack none = Pack::all(0.0);
+        double smallest = contact::NearContacts::diameter(contacts.front(), bodies);
+        for (const contact::Contact& c : contacts) smallest = std::min(smallest, 2.0 * bodies.radius[c.a]);
+        for (double moved = smallest; report.sweeps < scene.correction.sweeps && moved > kSettled * smallest;
+             ++report.sweeps) {
+            Pack largest = none;
+            for (FrictionlessBatch& batch : batch_)
+                largest = max(largest, update<false>(batch, line_.data(), nullptr, none));
+            moved = std::sqrt(max_lanes(largest));
         }
+        const Vec3 gravity = scene.gravity.at(state.time + step);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const Vec3 d(line_[i + 1].v[0], line_[i + 1].v[1], line_[i + 1].v[2]);
             bodies.position[i] += d;
             report.work -= bodies.mass[i] * gravity.dot(d);
         }
     }
-    report.penetration = measure(problem);
+    report.penetration = measure(contacts, bodies, closed);
     return report;
 }
 
-template <class Law>
-void PositionCorrection<Law>::gaps(const Layout& layout, std::vector<double>& gap) const {
-    for (std::size_t k = 0; k < gaps_.size(); ++k)
-        for (int i = 0; i < kLanes; ++i) {
-            const std::uint32_t c = layout.lanes()[k][static_cast<std::size_t>(i)];
-            if (c != kNoContact) gap[c] = gaps_[k].gap[i];
-        }
+std::size_t PositionCorrection::bytes() const {
+    return near_.bytes() + layout_.bytes() + batch_.capacity() * sizeof(FrictionlessBatch) +
+           line_.capacity() * sizeof(SlidingLine);
 }
-
-template <class Law>
-std::size_t PositionCorrection<Law>::bytes() const {
-    return gaps_.capacity() * sizeof(Gaps) + line_.capacity() * sizeof(SlidingLine);
-}
-
-template class PositionCorrection<Frictional>;
-template class PositionCorrection<Frictionless>;
 
 }  // namespace scree::solvers

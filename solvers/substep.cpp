@@ -66,12 +66,10 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     move(state.bodies, 0.5 * step);
     clock.lap(Phase::integration);
 
-    const Vec3 gravity = scene_.gravity.at(times.begin + step);
-    const CorrectionReport corrected =
-        correction_.apply(problem_, contacts_, layout_, scene_.correction, step, gravity, state);
+    if (plan_.contact_records) make_records(state, times);
+    const CorrectionReport corrected = correction_.apply(scene_, step, report.active, block_size_, candidates_, state);
     state.ledger[Work::correction] += corrected.work;
     report.penetration = corrected.penetration;
-    if (plan_.contact_records) make_records(state, times);
     clock.lap(Phase::correction);
     return report;
 }
@@ -156,8 +154,6 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
 
 template <class Law>
 void Substep<Law>::make_records(const State& state, const contact::StepTimes& times) {
-    std::vector<double> gap(contacts_.size());
-    correction_.gaps(layout_, gap);
     records_.clear();
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         const contact::Contact& contact = contacts_[c];
@@ -170,9 +166,18 @@ void Substep<Law>::make_records(const State& state, const contact::StepTimes& ti
                 tangential < (1.0 - 1e-9) * contact.friction * pn ? ContactStatus::sticking : ContactStatus::sliding;
         }
         // the contact point of the middle of the step: the bodies have moved on by half a step since
-        const Vec3 centre = state.bodies.position[contact.a] - 0.5 * times.step * state.bodies.velocity[contact.a];
-        records_.push_back({contact.key, contact.point(centre, state.bodies.radius[contact.a]), contact.normal, gap[c],
-                            p, times.step, status});
+        const Bodies& bodies = state.bodies;
+        const Vec3 moved_a = 0.5 * times.step * bodies.velocity[contact.a];
+        const Vec3 middle_a = bodies.position[contact.a] - moved_a;
+        double gap = contact.gap;  // at the end of the step; at a wall to first order of the motion
+        if (!contact.key.is_wall())
+            gap = (bodies.position[contact.a] - bodies.position[contact.b]).norm() -
+                  (bodies.radius[contact.a] + bodies.radius[contact.b]);
+        else
+            gap += contact.normal.dot(
+                moved_a - (wall_velocity_.empty() ? Vec3::Zero() : Vec3(0.5 * times.step * wall_velocity_[c])));
+        records_.push_back({contact.key, contact.point(middle_a, bodies.radius[contact.a]), contact.normal, gap, p,
+                            times.step, status});
     }
 }
 

@@ -55,7 +55,7 @@ class Substep {
     contact::ContactSet contacts_;
     Layout layout_;
     ContactProblem<Law> problem_;
-    PositionCorrection<Law> correction_;
+    PositionCorrection correction_;
     double block_size_ = 0.0;             // [m]; 0: not chosen yet
     std::vector<double> margin_;          // [m], n
     std::vector<Vec3> wall_velocity_;     // [m/s], one a contact; empty without moving walls

@@ -1,0 +1,34 @@
+// What the correction of positions must know at the end of a step: the overlaps, and the neighbours into which it may
+// push the overlapping bodies.
+#pragma once
+
+#include <vector>
+
+#include "contact/candidate_list.hpp"
+#include "contact/contact_set.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+
+namespace scree::contact {
+
+class NearContacts {
+  public:
+    // Contacts in order of key, gaps exact at the end of the step; `bias` and `friction` are 0. A body may be pushed as
+    // far as its deepest overlap d_i, or one of those whom it may be pushed into; a pair is near if its gap is below
+    // d_i + d_j. Without any overlap the set is empty.
+    const ContactSet& find(const Scene& scene, const State& state, double step, CandidateList& candidates);
+    // Of a body a with contact (a, b): the diameter that penetration is compared with [m].
+    static double diameter(const Contact& contact, const Bodies& bodies);
+    std::size_t bytes() const;
+
+  private:
+    void measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates);
+    void collect(const Scene& scene, const State& state, const CandidateList& candidates);
+
+    std::vector<double> push_;   // [m] d_i, n
+    std::vector<double> wider_;  // [m], n
+    std::vector<double> gap_;    // [m], one a candidate pair
+    ContactSet contacts_;
+};
+
+}  // namespace scree::contact
