@@ -39,14 +39,12 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
             const Vec3 relative = v - bodies.velocity[j];
             const double reach = look * relative.norm() + h * step.resting_speed;
             const SphereGap pair = sphere_sphere(x, bodies.position[j], radius + bodies.radius[j], relative);
-            if (pair.gap > std::max(reach, 0.5 * h * relative.norm())) continue;
+            const double touch = kTouch * (radius + bodies.radius[j]);
+            if (pair.gap > std::max({touch, reach, 0.5 * h * relative.norm()})) continue;
             const PairLaw& law = scene.pairs(bodies.material[i], bodies.material[j]);
             const double approach = relative.dot(pair.normal);
             double bias = 0.0;
-            if (!impact_law(
-                    {pair.gap, approach, approach, law.restitution, kTouch * (radius + bodies.radius[j]), reach}, step,
-                    bias))
-                continue;
+            if (!impact_law({pair.gap, approach, approach, law.restitution, touch, reach}, step, bias)) continue;
             contacts.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), static_cast<std::uint32_t>(i), j,
                                 pair.normal, pair.gap, law.friction, bias});
         }
@@ -55,7 +53,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
             const Wall& wall = scene.walls[w];
             const PairLaw& law = scene.pairs(bodies.material[i], wall.material);
             const double margin = 0.5 * h * v.norm() * std::max(1.0, scene.solver.look_ahead) + h * step.resting_speed +
-                                  (frame[w].moves ? radius : 0.0);
+                                  kTouch * radius + (frame[w].moves ? radius : 0.0);
             WallContacts found;
             find_contacts(wall.shape, frame[w].moves ? frame[w].pose.to_local(x) : x, radius, margin, found);
             for (int k = 0; k < found.count; ++k) {

@@ -1,6 +1,7 @@
 #include "contact/near_contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/sphere_sphere.hpp"
 
@@ -18,16 +19,16 @@ double NearContacts::diameter(const Contact& contact, const Bodies& bodies) {
 
 void NearContacts::measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates) {
     const Bodies& bodies = state.bodies;
-    gap_.clear();
     std::fill(push_.begin(), push_.end(), 0.0);
     const auto deepen = [&](std::size_t i, double gap) {
         push_[i] = std::max(push_[i], std::min(-gap, kMostPush * bodies.radius[i]));
     };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (const std::uint32_t j : candidates.partners(i)) {
-            const double gap = (bodies.position[i] - bodies.position[j]).norm() - (bodies.radius[i] + bodies.radius[j]);
-            gap_.push_back(gap);
-            if (gap >= 0.0) continue;
+            const double radii = bodies.radius[i] + bodies.radius[j];
+            const double square = (bodies.position[i] - bodies.position[j]).squaredNorm();
+            if (square >= radii * radii) continue;
+            const double gap = std::sqrt(square) - radii;
             deepen(i, gap);
             deepen(j, gap);
         }
@@ -51,12 +52,13 @@ const ContactSet& NearContacts::find(const Scene& scene, const State& state, dou
     measure_gaps(scene, state, candidates);
     if (std::all_of(push_.begin(), push_.end(), [](double d) { return d == 0.0; })) return contacts_;
     wider_ = push_;
-    std::size_t pair = 0;
+    const Bodies& bodies = state.bodies;
     for (std::size_t i = 0; i < n; ++i)
         for (const std::uint32_t j : candidates.partners(i)) {
-            const double gap = gap_[pair++];
-            if (gap < push_[i]) wider_[j] = std::max(wider_[j], std::min(push_[i], kMostPush * state.bodies.radius[j]));
-            if (gap < push_[j]) wider_[i] = std::max(wider_[i], std::min(push_[j], kMostPush * state.bodies.radius[i]));
+            const double push = std::max(push_[i], push_[j]), reach = bodies.radius[i] + bodies.radius[j] + push;
+            if (push == 0.0 || (bodies.position[i] - bodies.position[j]).squaredNorm() >= reach * reach) continue;
+            wider_[j] = std::max(wider_[j], std::min(push, kMostPush * bodies.radius[j]));
+            wider_[i] = std::max(wider_[i], std::min(push, kMostPush * bodies.radius[i]));
         }
     push_.swap(wider_);
     candidates.update_at_end(scene, state, step, push_);
@@ -93,8 +95,7 @@ void NearContacts::collect(const Scene& scene, const State& state, const Candida
 }
 
 std::size_t NearContacts::bytes() const {
-    return (push_.capacity() + wider_.capacity() + gap_.capacity()) * sizeof(double) +
-           contacts_.capacity() * sizeof(Contact);
+    return (push_.capacity() + wider_.capacity()) * sizeof(double) + contacts_.capacity() * sizeof(Contact);
 }
 
 }  // namespace scree::contact

@@ -25,9 +25,7 @@ class NearContacts {
     void measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates);
     void collect(const Scene& scene, const State& state, const CandidateList& candidates);
 
-    std::vector<double> push_;   // [m] d_i, n
-    std::vector<double> wider_;  // [m], n
-    std::vector<double> gap_;    // [m], one a candidate pair
+    std::vector<double> push_, wider_;  // [m] d_i, n
     ContactSet contacts_;
 };
 

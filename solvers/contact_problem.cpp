@@ -7,6 +7,8 @@
 namespace scree::solvers {
 namespace {
 
+constexpr double kRoundOff = 1e-12;  // of the largest velocity, in differences of velocities
+
 // One sum a block in the order of its batches, then an exact sum over the blocks: no order of blocks changes a bit.
 template <class PerBatch>
 double sum_over_blocks(const std::vector<Block>& blocks, PerBatch per_batch) {
@@ -97,7 +99,13 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
 template <class Law>
 void ContactProblem<Law>::scale(double floor) {
     const double sum = sum_over_blocks(blocks(), [&](std::uint32_t k) { return drive(batch_[k], line_.data()); });
-    v_ref_ = contacts_ == 0 ? floor : std::max(floor, std::sqrt(sum / static_cast<double>(contacts_)));
+    // differences of velocities cannot be told from zero below the round-off of the velocities
+    double fastest = 0.0;
+    for (const Line& line : line_)
+        for (const double v : line.v) fastest = std::max(fastest, std::abs(v));
+    driven_ = sum > 0.0;
+    v_ref_ = std::max(floor, kRoundOff * fastest);
+    if (contacts_ > 0) v_ref_ = std::max(v_ref_, std::sqrt(sum / static_cast<double>(contacts_)));
 }
 
 template <class Law>

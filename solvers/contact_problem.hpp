@@ -36,8 +36,10 @@ class ContactProblem {
     // `wall_velocity`: of each moving-wall contact in order of key, others ignored.
     void assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state, const Vec3& dv_free,
                   const std::vector<Vec3>& wall_velocity);
-    // v_ref = sqrt(sum |q|^2 / contacts), at least `floor` [m/s].
+    // v_ref = sqrt(sum |q|^2 / contacts), at least `floor` [m/s], from the free velocities in the lines.
     void scale(double floor);
+    // Some |q| is not zero; otherwise zero impulses are the solution.
+    bool driven() const { return driven_; }
     // Impulses to start from, in order of key: applied to the lines.
     void warm_start(const std::vector<Vec3>& impulse, const std::vector<double>& normal);
 
@@ -66,6 +68,7 @@ class ContactProblem {
     const Layout* layout_ = nullptr;
     std::size_t contacts_ = 0, bodies_ = 0;
     double v_ref_ = 0.0;
+    bool driven_ = false;
     LineVector<Line> line_;  // ground, bodies, moving-wall contacts
     LineVector<Batch> batch_;
     LineVector<Impulse> previous_;    // momentum: impulses before the last sweep; empty without acceleration

@@ -11,7 +11,8 @@ constexpr double kMaxOverRms = 16.0;  // allowed maximum of the natural map over
 class Momentum {
   public:
     double next(double change) {
-        const double beta = change > last_change_ ? 0.0 : change / last_change_;
+        const bool shrinks = change <= last_change_ && last_change_ > 0.0;
+        const double beta = shrinks ? change / last_change_ : 0.0;
         last_change_ = change;
         return beta;
     }
@@ -37,7 +38,8 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
     for (;;) {
         const double change = problem.sweep(beta, accelerate);
         ++report.sweeps;
-        const bool last = report.sweeps >= settings.max_sweeps;
+        // a sweep that changes nothing is a fixed point: none after it can do better
+        const bool last = report.sweeps >= settings.max_sweeps || change == 0.0;
         // the change of a sweep tells when a look at the residual is worth its price
         if (last || (report.sweeps >= next_check && change <= settings.tolerance)) {
             report.residual = problem.residual();

@@ -9,22 +9,14 @@
 namespace scree::solvers {
 namespace {
 
-constexpr std::uint64_t kWideBodies = ~std::uint64_t{0};  // the block of those that fit into no block
-constexpr int kIndexBits = 20;                            // of a block's index in each direction
-constexpr std::int64_t kIndexHalf = std::int64_t{1} << (kIndexBits - 1);
+constexpr std::uint64_t kWideBodies = ~std::uint64_t{0};     // the block of those that fit into no block
+constexpr std::int64_t kMostBlocks = std::int64_t{1} << 20;  // in one direction
 
-// Index of the block that holds x. Far out indices wrap: that only mixes far away blocks, whose bodies are then told
-// apart by the batches of first fit.
-std::uint64_t block_index(double x, double size) {
-    const auto i = static_cast<std::int64_t>(std::floor(x / size)) + kIndexHalf;
-    return static_cast<std::uint64_t>(i) & ((std::uint64_t{1} << kIndexBits) - 1);
-}
-
-std::uint64_t block_key(const Vec3& point, double size) {
-    const std::uint64_t x = block_index(point.x(), size), y = block_index(point.y(), size),
-                        z = block_index(point.z(), size);
-    const std::uint64_t colour = (x & 1) | (y & 1) << 1 | (z & 1) << 2;
-    return (((colour << kIndexBits | z) << kIndexBits | y) << kIndexBits) | x;
+// Index of the block that holds x. Far out, indices are held at the last block: that only puts contacts that are far
+// apart into one list, where first fit keeps their bodies apart.
+std::int64_t block_index(double x, double size) {
+    return static_cast<std::int64_t>(
+        std::clamp(std::floor(x / size), -static_cast<double>(kMostBlocks), static_cast<double>(kMostBlocks)));
 }
 
 }  // namespace
@@ -40,14 +32,36 @@ double choose_block_size(const std::vector<double>& radius) {
 }
 
 void Layout::place(const contact::ContactSet& contacts, const Bodies& bodies, double block_size) {
-    placed_.clear();
-    for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    constexpr std::int64_t kLarge = 4 * kMostBlocks;
+    std::array<std::int64_t, 3> low{kLarge, kLarge, kLarge}, high{-kLarge, -kLarge, -kLarge};
+    index_.resize(contacts.size());
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
         const contact::Contact& contact = contacts[c];
         const double ra = bodies.radius[contact.a];
+        const Vec3 point = contact.point(bodies.position[contact.a], ra);
         const double widest = contact.key.is_wall() ? ra : std::max(ra, bodies.radius[contact.b]);
-        const bool wide = 2.0 * widest + std::abs(contact.gap) >= block_size;
-        placed_.push_back(
-            {wide ? kWideBodies : block_key(contact.point(bodies.position[contact.a], ra), block_size), c});
+        index_[c].wide = 2.0 * widest + std::abs(contact.gap) >= block_size;
+        for (std::size_t d = 0; d < 3; ++d) {
+            const std::int64_t i = block_index(point[static_cast<int>(d)], block_size);
+            index_[c].at[d] = i;
+            low[d] = std::min(low[d], i);
+            high[d] = std::max(high[d], i);
+        }
+    }
+    // keys as short as the scene allows; even offsets keep the parity, so that the order is that of absolute indices
+    std::array<int, 3> bits{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        low[d] &= ~std::int64_t{1};
+        bits[d] = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(high[d] - low[d])));
+    }
+    placed_.clear();
+    for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+        const auto x = static_cast<std::uint64_t>(index_[c].at[0] - low[0]),
+                   y = static_cast<std::uint64_t>(index_[c].at[1] - low[1]),
+                   z = static_cast<std::uint64_t>(index_[c].at[2] - low[2]);
+        const std::uint64_t colour = (x & 1) | (y & 1) << 1 | (z & 1) << 2;
+        const std::uint64_t key = (((colour << bits[2] | z) << bits[1] | y) << bits[0]) | x;
+        placed_.push_back({index_[c].wide ? kWideBodies : key, c});
     }
 }
 
@@ -57,9 +71,9 @@ void Layout::fill_block(const contact::ContactSet& contacts, std::size_t begin, 
         occupied_.assign(occupied_.size(), {});
         stamp_ = 1;
     }
-    std::uint32_t base = first;  // batches before this one are full
-    std::uint64_t full = 0;      // of the 64 from base on
-    std::array<std::uint8_t, 64> used{};
+    std::uint32_t base = first;           // batches before this one are full
+    std::uint64_t full = 0;               // of the 64 from base on
+    std::array<std::uint8_t, 64> used{};  // lanes of batch k at k mod 64
     const auto occupied_by = [&](std::uint32_t body) -> Occupied& {
         Occupied& o = occupied_[body];
         if (o.stamp != stamp_) o = {0, base, stamp_};
@@ -70,9 +84,7 @@ void Layout::fill_block(const contact::ContactSet& contacts, std::size_t begin, 
     };
     const auto advance = [&](int by) {
         full = by >= 64 ? 0 : full >> by;
-        for (int k = 0; k < 64; ++k)
-            used[static_cast<std::size_t>(k)] = k + by < 64 ? used[static_cast<std::size_t>(k + by)] : std::uint8_t{0};
-        base += static_cast<std::uint32_t>(by);
+        for (int k = 0; k < by; ++k) used[base++ % 64] = 0;
     };
     for (std::size_t k = begin; k < end; ++k) {
         const contact::Contact& contact = contacts[placed_[k].contact];
@@ -91,7 +103,7 @@ void Layout::fill_block(const contact::ContactSet& contacts, std::size_t begin, 
                 lane_.emplace_back();
                 lane_.back().fill(kNoContact);
             }
-            auto& count = used[static_cast<std::size_t>(slot)];
+            auto& count = used[batch % 64];
             lane_[batch][count++] = placed_[k].contact;
             a.batches |= bit;
             if (!wall) occupied_[contact.b].batches |= bit;
@@ -121,8 +133,9 @@ void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, 
 }
 
 std::size_t Layout::bytes() const {
-    return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) + blocks_.capacity() * sizeof(Block) +
-           lane_.capacity() * sizeof(lane_[0]) + occupied_.capacity() * sizeof(Occupied);
+    return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) + index_.capacity() * sizeof(Index) +
+           blocks_.capacity() * sizeof(Block) + lane_.capacity() * sizeof(lane_[0]) +
+           occupied_.capacity() * sizeof(Occupied);
 }
 
 }  // namespace scree::solvers

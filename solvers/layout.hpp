@@ -41,6 +41,11 @@ class Layout {
     void place(const contact::ContactSet& contacts, const Bodies& bodies, double block_size);
     void fill_block(const contact::ContactSet& contacts, std::size_t begin, std::size_t end);
 
+    struct Index {
+        std::array<std::int64_t, 3> at;  // block in x, y, z
+        bool wide;                       // a body too wide for a block
+    };
+    std::vector<Index> index_;  // one a contact
     std::vector<Placed> placed_, sorted_;
     std::vector<Block> blocks_;
     std::vector<std::array<std::uint32_t, kLanes>> lane_;

@@ -99,7 +99,7 @@ void Substep<Law>::set_up(State& state, const contact::StepTimes& times) {
     const Vec3 gravity = scene_.gravity.at(times.middle());
     problem_.assemble(contacts_, layout_, state, times.step * gravity, wall_velocity_);
     problem_.scale(times.step * gravity.norm());
-    if (plan_.warm_start) {
+    if (plan_.warm_start && problem_.driven()) {
         match_warm_start(contacts_, state.warm_start, times.step, Law::kImpulse == 3, impulse_, impulse_normal_);
         problem_.warm_start(impulse_, impulse_normal_);
     }
