@@ -7,6 +7,7 @@
 namespace scree::solvers {
 namespace {
 
+constexpr std::size_t kFetchAhead = 4;  // batches
 constexpr double kRoundOff = 1e-12;  // of the largest velocity, in differences of velocities
 
 // One sum a block in the order of its batches, then an exact sum over the blocks: no order of blocks changes a bit.
@@ -136,13 +137,29 @@ template <class Law>
 double ContactProblem<Law>::sweep(double beta, bool momentum) {
     Line* line = line_.data();
     const Pack b = Pack::all(beta);
+    // the lines of a later batch on their way while this one is solved
+    const std::size_t batches = batch_.size();
+    const auto fetch = [&](std::size_t k) {
+        if (k >= batches) return;
+        const Batch& next = batch_[k];
+        for (int i = 0; i < kLanes; ++i) {
+            __builtin_prefetch(line + next.a[i], 1);
+            __builtin_prefetch(line + next.b[i], 1);
+        }
+    };
     double sum = 0.0;
     if (momentum) {
         for (std::size_t i = 1; i <= bodies_; ++i) extrapolate(line_[i], line_previous_[i], beta);
         sum = sum_over_blocks(blocks(),
-                              [&](std::uint32_t k) { return update<true>(batch_[k], line, previous_[k].p, b); });
+                              [&](std::uint32_t k) {
+            fetch(k + kFetchAhead);
+            return update<true>(batch_[k], line, previous_[k].p, b);
+        });
     } else {
-        sum = sum_over_blocks(blocks(), [&](std::uint32_t k) { return update<false>(batch_[k], line, nullptr, b); });
+        sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
+            fetch(k + kFetchAhead);
+            return update<false>(batch_[k], line, nullptr, b);
+        });
     }
     if (contacts_ == 0 || sum == 0.0) return 0.0;
     return std::sqrt(sum / static_cast<double>(contacts_)) / v_ref_;
