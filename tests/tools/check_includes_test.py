@@ -26,7 +26,8 @@ GOOD = {
     "io/a.cpp": '#include "io/heavy.hpp"\n',
     "scenarios/a.cpp": '#include "io/a.hpp"\n#include "contact/a.hpp"\n',
     "app/a.cpp": '#include "solvers/a.hpp"\n#include <CLI/CLI.hpp>\n',
-    "tests/core/a_test.cpp": '#include "app/a.hpp"\n',
+    "tests/core/a_test.cpp": '#include "app/a.hpp"\n#include "beside.hpp"\n',
+    "tests/core/beside.hpp": "#pragma once\n",
 }
 
 
