@@ -1,0 +1,132 @@
+// What a scene does not need is not there: arrays, bytes, kernels; and a step in steady state allocates nothing.
+// This file counts every allocation of the test program by replacing the global operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "core/state_hash.hpp"
+#include "solvers/substep.hpp"
+#include "tests/testing/world.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* allocate(std::size_t size, std::size_t align) {
+    ++allocations;
+    void* p = nullptr;
+    if (posix_memalign(&p, align, size == 0 ? 1 : size) != 0) throw std::bad_alloc();
+    return p;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return allocate(size, alignof(std::max_align_t));
+}
+void* operator new[](std::size_t size) {
+    return allocate(size, alignof(std::max_align_t));
+}
+void* operator new(std::size_t size, std::align_val_t align) {
+    return allocate(size, static_cast<std::size_t>(align));
+}
+void operator delete(void* p) noexcept {
+    std::free(p);
+}
+void operator delete[](void* p) noexcept {
+    std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+    std::free(p);
+}
+void operator delete[](void* p, std::size_t) noexcept {
+    std::free(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept {
+    std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
+    std::free(p);
+}
+
+namespace scree::solvers {
+namespace {
+
+using testing::World;
+
+// A settled block of 8 x 8 x 4 balls on a floor, at the default settings.
+void heap(World& w) {
+    w.scene.solver = SolverSettings{};
+    w.scene.correction.on = true;
+    for (int i = 0; i < 256; ++i) w.add(Vec3(0.2 * (i % 8), 0.2 * (i / 8 % 8), 0.1 + 0.2 * (i / 64)), 0.1);
+    w.add_wall(BoxWall{Vec3(-0.1, -0.1, 0), Vec3(1.5, 1.5, 9), true, false, false});
+}
+
+TEST(PlanCosts, FrictionlessScenesHaveNoSpinAndNoVectors) {
+    World w(1e-3, 0.0);
+    heap(w);
+    w.run(20);
+    EXPECT_FALSE(w.plan.friction);
+    EXPECT_EQ(w.state.bodies.spin.capacity(), 0U);
+    EXPECT_EQ(w.state.bodies.orientation.capacity(), 0U);
+    EXPECT_EQ(w.state.warm_start.impulse_vector.capacity(), 0U);
+    EXPECT_GT(w.state.warm_start.impulse_normal.size(), 256U);
+    EXPECT_TRUE(w.stepper->contacts().empty());
+    EXPECT_EQ(w.stepper->contacts().capacity(), 0U);
+}
+
+TEST(PlanCosts, FrictionalScenesHaveNoNumbers) {
+    World w(1e-3, 0.5);
+    heap(w);
+    w.run(20);
+    EXPECT_EQ(w.state.bodies.spin.size(), 256U);
+    EXPECT_EQ(w.state.warm_start.impulse_normal.capacity(), 0U);
+    EXPECT_GT(w.state.warm_start.impulse_vector.size(), 256U);
+}
+
+TEST(PlanCosts, BytesOfALineAndAContact) {
+    EXPECT_EQ(sizeof(ContactProblem<Frictionless>::Line), 32U);
+    EXPECT_EQ(sizeof(ContactProblem<Frictional>::Line), 64U);
+    EXPECT_LE(sizeof(FrictionlessBatch), 64U * kLanes);
+    EXPECT_LE(sizeof(FrictionBatch), 96U * kLanes);
+    World with(1e-3, 0.5), without(1e-3, 0.0);
+    heap(with);
+    heap(without);
+    with.run(20);
+    without.run(20);
+    EXPECT_LT(static_cast<double>(without.stepper->bytes()), 0.8 * static_cast<double>(with.stepper->bytes()));
+}
+
+// The frictionless step alone, which knows no frictional kernel, gives the bits of the stepper: nothing else ran.
+TEST(PlanCosts, FrictionlessScenesRunTheFrictionlessStep) {
+    World w(1e-3, 0.0), alone(1e-3, 0.0);
+    heap(w);
+    heap(alone);
+    w.run(30);
+    alone.start();
+    Substep<Frictionless> substep(alone.scene, alone.plan);
+    std::vector<WallLoad> loads(alone.scene.walls.size());
+    for (int k = 0; k < 30; ++k) {
+        alone.state.time = k * 1e-3;
+        substep.advance(alone.state, 1e-3, loads);
+    }
+    EXPECT_EQ(state_hash(w.state.bodies), state_hash(alone.state.bodies));
+    EXPECT_EQ(w.state.warm_start.impulse_normal, alone.state.warm_start.impulse_normal);
+}
+
+// Bodies at rest keep their list of candidates; what a step needs was allocated in the first steps.
+TEST(PlanCosts, AStepInSteadyStateAllocatesNothing) {
+    for (const double mu : {0.0, 0.5}) {
+        World w(1e-3, mu);
+        heap(w);
+        w.run(200);
+        const std::size_t before = allocations;
+        w.run(50);
+        EXPECT_EQ(allocations - before, 0U) << "mu " << mu;
+    }
+}
+
+}  // namespace
+}  // namespace scree::solvers
