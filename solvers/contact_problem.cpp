@@ -8,7 +8,7 @@ namespace scree::solvers {
 namespace {
 
 constexpr std::size_t kFetchAhead = 4;  // batches
-constexpr double kRoundOff = 1e-12;  // of the largest velocity, in differences of velocities
+constexpr double kRoundOff = 1e-12;     // of the largest velocity, in differences of velocities
 
 // One sum a block in the order of its batches, then an exact sum over the blocks: no order of blocks changes a bit.
 template <class PerBatch>
@@ -62,7 +62,7 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
     line_.resize(bodies_ + 1);
     line_[kGround] = Line{};
     for (std::size_t i = 0; i < bodies_; ++i) {
-        Line& line = line_[i + 1];
+        Line& line = line_[layout.line(i)];
         const double inverse_mass = 1.0 / bodies.mass[i];
         set_velocity(line, bodies.velocity[i] + dv_free, inverse_mass);
         if constexpr (Law::kImpulse == 3)
@@ -76,11 +76,11 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
         for (int i = 0; i < kLanes; ++i) {
             if (lanes[static_cast<std::size_t>(i)] == kNoContact) continue;
             const contact::Contact& c = contacts[lanes[static_cast<std::size_t>(i)]];
-            batch.a[i] = c.a + 1;
-            double w = line_[c.a + 1].inverse_mass;
+            batch.a[i] = layout.line(c.a);
+            double w = line_[batch.a[i]].inverse_mass;
             if (!c.key.is_wall()) {
-                batch.b[i] = c.b + 1;
-                w += line_[c.b + 1].inverse_mass;
+                batch.b[i] = layout.line(c.b);
+                w += line_[batch.b[i]].inverse_mass;
             } else if (!wall_velocity.empty()) {
                 const Vec3& v = wall_velocity[lanes[static_cast<std::size_t>(i)]];
                 if (!v.isZero(0.0)) {
@@ -150,8 +150,7 @@ double ContactProblem<Law>::sweep(double beta, bool momentum) {
     double sum = 0.0;
     if (momentum) {
         for (std::size_t i = 1; i <= bodies_; ++i) extrapolate(line_[i], line_previous_[i], beta);
-        sum = sum_over_blocks(blocks(),
-                              [&](std::uint32_t k) {
+        sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
             fetch(k + kFetchAhead);
             return update<true>(batch_[k], line, previous_[k].p, b);
         });
@@ -182,7 +181,7 @@ ContactWork ContactProblem<Law>::work(const State& state) const {
     line_mean_ = line_;
     const Bodies& bodies = state.bodies;
     for (std::size_t i = 0; i < bodies_; ++i) {
-        Line& line = line_mean_[i + 1];
+        Line& line = line_mean_[layout_->line(i)];
         for (int d = 0; d < 3; ++d) line.v[d] = 0.5 * (line.v[d] + bodies.velocity[i][d]);
         if constexpr (Law::kImpulse == 3)
             for (int d = 0; d < 3; ++d) line.w[d] = 0.5 * (line.w[d] + bodies.radius[i] * bodies.spin[i][d]);
@@ -213,7 +212,7 @@ template <class Law>
 void ContactProblem<Law>::velocities(State& state) const {
     Bodies& bodies = state.bodies;
     for (std::size_t i = 0; i < bodies_; ++i) {
-        const Line& line = line_[i + 1];
+        const Line& line = line_[layout_->line(i)];
         for (int d = 0; d < 3; ++d) bodies.velocity[i][d] = line.v[d];
         if constexpr (Law::kImpulse == 3)
             for (int d = 0; d < 3; ++d) bodies.spin[i][d] = line.w[d] / bodies.radius[i];

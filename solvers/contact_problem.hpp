@@ -62,6 +62,7 @@ class ContactProblem {
     const std::vector<Block>& blocks() const { return layout_->blocks(); }
     const LineVector<Batch>& batches() const { return batch_; }
     const LineVector<Line>& lines() const { return line_; }
+    const Line& line_of(std::size_t body) const { return line_[layout_->line(body)]; }
     std::size_t bytes() const;
 
   private:

@@ -116,25 +116,42 @@ void Layout::fill_block(const contact::ContactSet& contacts, std::size_t begin, 
     blocks_.push_back({first, static_cast<std::uint32_t>(lane_.size())});
 }
 
+void Layout::assign_lines(const contact::ContactSet& contacts, std::size_t bodies) {
+    body_line_.assign(bodies, kGround);
+    std::uint32_t next = kGround + 1;
+    const auto visit = [&](std::uint32_t body) {
+        if (body_line_[body] == kGround) body_line_[body] = next++;
+    };
+    for (const auto& lanes : lane_)
+        for (const std::uint32_t c : lanes) {
+            if (c == kNoContact) continue;
+            visit(contacts[c].a);
+            if (!contacts[c].key.is_wall()) visit(contacts[c].b);
+        }
+    for (std::uint32_t body = 0; body < bodies; ++body) visit(body);
+}
+
 void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, double block_size) {
     blocks_.clear();
     lane_.clear();
-    if (contacts.empty()) return;
-    place(contacts, bodies, block_size);
-    // stable: contacts of a block stay in order of key
-    radix_sort(placed_, sorted_, [](const Placed& p) { return p.block; });
-    occupied_.resize(bodies.size());
-    for (std::size_t begin = 0; begin < placed_.size();) {
-        std::size_t end = begin;
-        while (end < placed_.size() && placed_[end].block == placed_[begin].block) ++end;
-        fill_block(contacts, begin, end);
-        begin = end;
+    if (!contacts.empty()) {
+        place(contacts, bodies, block_size);
+        // stable: contacts of a block stay in order of key
+        radix_sort(placed_, sorted_, [](const Placed& p) { return p.block; });
+        occupied_.resize(bodies.size());
+        for (std::size_t begin = 0; begin < placed_.size();) {
+            std::size_t end = begin;
+            while (end < placed_.size() && placed_[end].block == placed_[begin].block) ++end;
+            fill_block(contacts, begin, end);
+            begin = end;
+        }
     }
+    assign_lines(contacts, bodies.size());
 }
 
 std::size_t Layout::bytes() const {
     return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) + index_.capacity() * sizeof(Index) +
-           blocks_.capacity() * sizeof(Block) + lane_.capacity() * sizeof(lane_[0]) +
+           blocks_.capacity() * sizeof(Block) + body_line_.capacity() * 4 + lane_.capacity() * sizeof(lane_[0]) +
            occupied_.capacity() * sizeof(Occupied);
 }
 

@@ -31,6 +31,9 @@ class Layout {
     std::size_t batches() const { return lane_.size(); }
     // Contact of each lane of each batch, or kNoContact.
     const std::vector<std::array<std::uint32_t, kLanes>>& lanes() const { return lane_; }
+    // The line of each body: lines lie in the order in which the batches first come to their bodies, so that a sweep
+    // walks through memory as it walks through space. Bodies without a contact come last; line 0 is the ground.
+    std::uint32_t line(std::size_t body) const { return body_line_[body]; }
     std::size_t bytes() const;
 
   private:
@@ -46,6 +49,9 @@ class Layout {
         bool wide;                       // a body too wide for a block
     };
     std::vector<Index> index_;  // one a contact
+    void assign_lines(const contact::ContactSet& contacts, std::size_t bodies);
+
+    std::vector<std::uint32_t> body_line_;  // n
     std::vector<Placed> placed_, sorted_;
     std::vector<Block> blocks_;
     std::vector<std::array<std::uint32_t, kLanes>> lane_;

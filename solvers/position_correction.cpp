@@ -16,7 +16,7 @@ constexpr double kSettled = 1e-4;
 void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share) {
     line_.resize(bodies.size() + 1);
     line_[kGround] = SlidingLine{};
-    for (std::size_t i = 0; i < bodies.size(); ++i) line_[i + 1] = {{0.0, 0.0, 0.0}, 1.0 / bodies.mass[i]};
+    for (std::size_t i = 0; i < bodies.size(); ++i) line_[layout_.line(i)] = {{0.0, 0.0, 0.0}, 1.0 / bodies.mass[i]};
     batch_.resize(layout_.batches());
     for (std::size_t k = 0; k < batch_.size(); ++k) {
         FrictionlessBatch& batch = batch_[k];
@@ -25,8 +25,8 @@ void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bod
             const std::uint32_t index = layout_.lanes()[k][static_cast<std::size_t>(i)];
             if (index == kNoContact) continue;
             const contact::Contact& c = contacts[index];
-            batch.a[i] = c.a + 1;
-            batch.b[i] = c.key.is_wall() ? kGround : c.b + 1;
+            batch.a[i] = layout_.line(c.a);
+            batch.b[i] = c.key.is_wall() ? kGround : layout_.line(c.b);
             for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
             batch.bias[i] = c.gap < 0.0 ? share * c.gap : c.gap;
             batch.inverse_w[i] = 1.0 / (line_[batch.a[i]].inverse_mass + line_[batch.b[i]].inverse_mass);
@@ -39,8 +39,8 @@ Penetration PositionCorrection::measure(const contact::ContactSet& contacts, con
     Penetration result;
     std::size_t overlaps = 0;
     for (const contact::Contact& c : contacts) {
-        const SlidingLine& a = line_[c.a + 1];
-        const SlidingLine& b = line_[c.key.is_wall() ? kGround : c.b + 1];
+        const SlidingLine& a = line_[layout_.line(c.a)];
+        const SlidingLine& b = line_[c.key.is_wall() ? kGround : layout_.line(c.b)];
         double gap = c.gap;
         for (int d = 0; d < 3; ++d) gap += c.normal[d] * (a.v[d] - b.v[d]);
         if (gap >= 0.0) continue;
@@ -78,7 +78,8 @@ CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std:
         }
         const Vec3 gravity = scene.gravity.at(state.time + step);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const Vec3 d(line_[i + 1].v[0], line_[i + 1].v[1], line_[i + 1].v[2]);
+            const SlidingLine& line = line_[layout_.line(i)];
+            const Vec3 d(line.v[0], line.v[1], line.v[2]);
             bodies.position[i] += d;
             report.work -= bodies.mass[i] * gravity.dot(d);
         }

@@ -19,9 +19,9 @@ namespace scree::solvers {
 
 // What the bodies did to one wall in the last scenario step (all its substeps).
 struct WallLoad {
-    Vec3 impulse = Vec3::Zero();   // [N s] on the wall
-    Vec3 angular = Vec3::Zero();   // [N m s] about the scene's local origin
-    std::size_t contacts = 0;      // with an impulse
+    Vec3 impulse = Vec3::Zero();  // [N s] on the wall
+    Vec3 angular = Vec3::Zero();  // [N m s] about the scene's local origin
+    std::size_t contacts = 0;     // with an impulse
 };
 
 class Stepper {

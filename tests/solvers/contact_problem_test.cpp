@@ -35,7 +35,7 @@ TEST(ContactProblem, StartsFromTheFreeVelocities) {
     heap(w, 30, true);
     SolverCase<Frictional> c(w);
     for (std::size_t i = 0; i < 30; ++i) {
-        const SpinningLine& line = c.problem.lines()[i + 1];
+        const SpinningLine& line = c.problem.line_of(i);
         for (int d = 0; d < 3; ++d) {
             EXPECT_EQ(line.v[d], w.velocity(i)[d] + c.dv_free[d]);
             EXPECT_EQ(line.w[d], w.radius(i) * w.spin(i)[d]);

@@ -41,7 +41,7 @@ struct SolverCase {
     SolverCase(SolverCase&&) = delete;  // the problem refers to the layout
 
     Vec3 velocity(std::size_t body) const {
-        const auto& line = problem.lines()[body + 1];
+        const auto& line = problem.line_of(body);
         return {line.v[0], line.v[1], line.v[2]};
     }
 };
