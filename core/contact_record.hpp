@@ -13,11 +13,11 @@ enum class ContactStatus : std::uint8_t { open, sticking, sliding };
 
 struct ContactRecord {
     ContactKey key;
-    Vec3 point;       // [m], relative to the scene's origin, middle of the step
-    Vec3 normal;      // unit, from b to a
-    double gap;       // [m], at the end of the step
-    Vec3 impulse;     // [N s], acts on a
-    double step;      // [s], length of the step: impulse / step is the mean force
+    Vec3 point;    // [m], relative to the scene's origin, middle of the step
+    Vec3 normal;   // unit, from b to a
+    double gap;    // [m], at the end of the step
+    Vec3 impulse;  // [N s], acts on a
+    double step;   // [s], length of the step: impulse / step is the mean force
     ContactStatus status;
 };
 

@@ -1,5 +1,6 @@
 // Identities. A BodyId is 64 bits, stable over restarts (and ranks), never reused. A LocalBody is an index into the
-// arrays of `Bodies`, valid within one step only. A ContactKey names a contact for warm start and for the order of work.
+// arrays of `Bodies`, valid within one step only. A ContactKey names a contact for warm start and for the order of
+// work.
 #pragma once
 
 #include <compare>
@@ -12,10 +13,18 @@ enum class LocalBody : std::uint32_t {};
 enum class MaterialIndex : std::uint16_t {};
 enum class WallIndex : std::uint32_t {};
 
-constexpr std::uint64_t raw(BodyId id) { return static_cast<std::uint64_t>(id); }
-constexpr std::uint32_t raw(LocalBody i) { return static_cast<std::uint32_t>(i); }
-constexpr std::uint16_t raw(MaterialIndex i) { return static_cast<std::uint16_t>(i); }
-constexpr std::uint32_t raw(WallIndex i) { return static_cast<std::uint32_t>(i); }
+constexpr std::uint64_t raw(BodyId id) {
+    return static_cast<std::uint64_t>(id);
+}
+constexpr std::uint32_t raw(LocalBody i) {
+    return static_cast<std::uint32_t>(i);
+}
+constexpr std::uint16_t raw(MaterialIndex i) {
+    return static_cast<std::uint16_t>(i);
+}
+constexpr std::uint32_t raw(WallIndex i) {
+    return static_cast<std::uint32_t>(i);
+}
 
 // Contact (a, b): the normal points from b to a. Two bodies: b has the larger id. A body and a wall: b is the wall.
 struct ContactKey {
@@ -26,7 +35,9 @@ struct ContactKey {
     std::uint32_t feature = 0;  // which of a wall's surfaces or edges; 0 between spheres
 
     static ContactKey bodies(BodyId a, BodyId b) { return {raw(a), raw(b), 0}; }
-    static ContactKey wall(BodyId a, WallIndex w, std::uint32_t feature) { return {raw(a), kWallBit | raw(w), feature}; }
+    static ContactKey wall(BodyId a, WallIndex w, std::uint32_t feature) {
+        return {raw(a), kWallBit | raw(w), feature};
+    }
     bool is_wall() const { return (b & kWallBit) != 0; }
     WallIndex wall_index() const { return WallIndex{static_cast<std::uint32_t>(b & 0xffffffffU)}; }
 

@@ -12,13 +12,13 @@ namespace scree {
 struct PlanLine {
     std::string feature;  // "friction"
     bool on;
-    std::string reason;   // "no tangential impulse: every friction coefficient is 0"
+    std::string reason;  // "no tangential impulse: every friction coefficient is 0"
 };
 
 struct Plan {
-    bool friction = false;       // tangential impulses, spin
-    bool restitution = false;    // any e > 0 among pairs that can meet
-    bool orientation = false;    // an output asks for it
+    bool friction = false;     // tangential impulses, spin
+    bool restitution = false;  // any e > 0 among pairs that can meet
+    bool orientation = false;  // an output asks for it
     bool moving_walls = false;
     bool correction = false;
     bool warm_start = false;

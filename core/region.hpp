@@ -12,9 +12,9 @@ struct BoxRegion {
     Vec3 lower, upper;  // [m]
 };
 struct CylinderRegion {
-    Vec3 base;                 // centre of the lower end [m]
-    Vec3 axis;                 // unit vector
-    double radius, length;     // [m]
+    Vec3 base;              // centre of the lower end [m]
+    Vec3 axis;              // unit vector
+    double radius, length;  // [m]
 };
 struct SphereRegion {
     Vec3 centre;

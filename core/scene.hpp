@@ -31,7 +31,7 @@ struct Inlet {
     BoxRegion region;
     MaterialIndex material{};
     SizeDistribution size = FixedSize{0.0};
-    double mass_rate = 0.0;     // [kg/s]
+    double mass_rate = 0.0;  // [kg/s]
     Vec3 velocity = Vec3::Zero();
     double from = 0.0, until = kForever;  // [s]
     double max_mass = kForever;           // [kg] in all

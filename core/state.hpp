@@ -12,39 +12,39 @@
 
 namespace scree {
 
-// Impulses of the last step, in order of key, for warm start. `impulse_vector` in scenes with friction, `impulse_normal`
-// in scenes without; the other is empty.
+// Impulses of the last step, in order of key, for warm start. `impulse_vector` in scenes with friction,
+// `impulse_normal` in scenes without; the other is empty.
 struct WarmStart {
-    std::vector<ContactKey> key;          // m, increasing
-    std::vector<Vec3> impulse_vector;     // [N s], m, world frame, acts on a
-    std::vector<double> impulse_normal;   // [N s], m
-    double step = 0.0;                    // [s] length of the step that they belong to
+    std::vector<ContactKey> key;         // m, increasing
+    std::vector<Vec3> impulse_vector;    // [N s], m, world frame, acts on a
+    std::vector<double> impulse_normal;  // [N s], m
+    double step = 0.0;                   // [s] length of the step that they belong to
 };
 
 struct InletState {
     std::uint64_t attempts = 0;  // draws so far: the counter of the random numbers
     std::uint64_t bodies = 0;
-    double mass = 0.0;           // [kg] made so far
+    double mass = 0.0;  // [kg] made so far
 };
 struct OutletState {
     std::uint64_t bodies = 0;
-    double mass = 0.0;           // [kg] taken so far
+    double mass = 0.0;  // [kg] taken so far
 };
 // Running numbers of one measure (what passed a surface; sums for the mean over the window).
 struct MeasureState {
-    double passed_mass = 0.0;            // [kg] flow_rate: since the start
+    double passed_mass = 0.0;  // [kg] flow_rate: since the start
     double passed_count = 0.0;
-    double passed_mass_at_row = 0.0;     // at the last history row
+    double passed_mass_at_row = 0.0;  // at the last history row
     double passed_count_at_row = 0.0;
-    double time_at_row = 0.0;            // [s]
-    double window_time = 0.0;            // [s] inside the window so far
-    std::vector<double> window_sum;      // one a number of the measure's columns, time-weighted
+    double time_at_row = 0.0;        // [s]
+    double window_time = 0.0;        // [s] inside the window so far
+    std::vector<double> window_sum;  // one a number of the measure's columns, time-weighted
 };
 
 struct State {
-    double time = 0.0;              // [s]
-    std::uint64_t step = 0;         // scenario steps done (a cut step counts once)
-    std::uint64_t next_id = 0;      // next free BodyId
+    double time = 0.0;          // [s]
+    std::uint64_t step = 0;     // scenario steps done (a cut step counts once)
+    std::uint64_t next_id = 0;  // next free BodyId
     Bodies bodies;
     WarmStart warm_start;
     std::vector<InletState> inlets;      // one an inlet

@@ -103,7 +103,7 @@ class Writer {
                 for (const Node& item : node.items()) section(schema, item, inner + "  ", inner + "- ");
                 return;
             default:
-                text += " " + flow(node) + "\n";
+                text.append(" ").append(flow(node)).append("\n");
         }
     }
 };

@@ -33,20 +33,20 @@ class Node {
 
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec3, List, Map> value;
     Mark mark;
-    std::string path;      // "walls[2].radius"
-    bool given = false;    // written by the user, not a default
+    std::string path;    // "walls[2].radius"
+    bool given = false;  // written by the user, not a default
 
-    bool has(std::string_view key) const;               // map: the key is there (given, or has a default)
-    const Node& at(std::string_view key) const;         // map
-    const Node& at(std::size_t i) const;                // list
-    std::size_t size() const;                           // list
-    const List& items() const;                          // list
+    bool has(std::string_view key) const;        // map: the key is there (given, or has a default)
+    const Node& at(std::string_view key) const;  // map
+    const Node& at(std::size_t i) const;         // list
+    std::size_t size() const;                    // list
+    const List& items() const;                   // list
 
-    double number() const;            // SI
+    double number() const;  // SI
     std::int64_t integer() const;
     bool boolean() const;
     const std::string& text() const;
-    Vec3 vector() const;              // three numbers, SI
+    Vec3 vector() const;  // three numbers, SI
 
     // Shorthands: at(key).number() and so on.
     double number(std::string_view key) const { return at(key).number(); }

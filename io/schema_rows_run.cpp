@@ -102,9 +102,10 @@ std::vector<Row> run() {
         number("solver.look_ahead")
             .standardly("0")
             .in(kNotNegative)
-            .says("Contacts that free flight would leave open in this step are held too if their gap is below this share "
-                  "of what the two bodies move against each other in half a step. Larger: less penetration on impact, "
-                  "more contacts to solve, and impacts that lose their restitution."),
+            .says(
+                "Contacts that free flight would leave open in this step are held too if their gap is below this share "
+                "of what the two bodies move against each other in half a step. Larger: less penetration on impact, "
+                "more contacts to solve, and impacts that lose their restitution."),
 
         section("correction")
             .standardly("{}")

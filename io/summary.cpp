@@ -15,7 +15,11 @@ namespace {
 std::string number(double value) {
     if (std::isnan(value)) return ".nan";
     if (std::isinf(value)) return value > 0.0 ? ".inf" : "-.inf";
-    return fmt::format("{:.9g}", value);
+    // YAML 1.1 takes 1e-05 for a text: a number has a point
+    std::string text = fmt::format("{:.9g}", value);
+    const std::size_t exponent = text.find('e');
+    if (exponent != std::string::npos && text.find('.') == std::string::npos) text.insert(exponent, ".0");
+    return text;
 }
 
 double mean(double sum, std::uint64_t count) {
