@@ -81,6 +81,18 @@ TEST(CellGrid, CoincidentBallsAndNone) {
     EXPECT_EQ(expect_all_found(grid, {{0, 0, 0, 1}}), 0U);
 }
 
+// Bodies that fell out of the scene: far away, but found if they meet.
+TEST(CellGrid, SomeFarAway) {
+    std::vector<Ball> balls = random_balls(50, 200, 5.0, 0.4, 1.0, Vec3(0, 0, 0));
+    CellGrid grid;
+    const std::size_t near = expect_all_found(grid, balls);
+    for (const double far : {1e3, -1e9, 1e13}) {
+        balls.push_back({0.0, 0.3, far, 0.1});
+        balls.push_back({0.05, 0.3, far, 0.02});
+    }
+    EXPECT_EQ(expect_all_found(grid, balls), near + 3);
+}
+
 TEST(CellGrid, LengthsHaveNoScale) {
     const std::vector<Ball> balls = random_balls(99, 200, 20.0, 0.5, 0.5, Vec3(0.1, 0, 0));
     CellGrid grid;

@@ -93,8 +93,9 @@ TEST(Groove, WithFrictionTheSumIsTheWeight) {
     EXPECT_LT(w.fastest(), 1e-11);
 }
 
-// Four balls as a pyramid: it stands if mu > tan(angle of the edge from the vertical) / ... of about 0.1, and slides
-// apart without friction.
+// Four balls as a pyramid. The lines of centres from the top lean by asin(1 / sqrt 3) = 35.3 deg from the vertical;
+// a ball below is held against turning at both its contacts, which takes mu >= tan(35.3 / 2 deg) = 0.32. With 0.5 it
+// stands, without friction it falls flat.
 TEST(Pyramid, StandsWithFrictionAndFallsWithout) {
     for (const double mu : {0.0, 0.5}) {
         World w(1e-3, mu);

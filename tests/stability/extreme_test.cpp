@@ -127,10 +127,7 @@ TEST(FastWall, AThinWallSweepsAlongWhatItMeets) {
     }
 }
 
-struct OverlapCase {
-    double distance;  // of the centres, in radii
-};
-class Overlap : public ::testing::TestWithParam<double> {};
+class Overlap : public ::testing::TestWithParam<double> {};  // distance of the centres in radii
 TEST_P(Overlap, SeparatesWithoutGainingSpeed) {
     for (const double mu : {0.0, 0.5}) {
         World w(1e-3, mu, 0.5);
