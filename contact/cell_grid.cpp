@@ -10,7 +10,7 @@
 namespace scree::contact {
 namespace {
 
-constexpr std::int64_t kMostCells = std::int64_t{1} << 20;  // in one direction; wider scenes get wider cells
+constexpr int kKeyBits = 62;  // of a cell's three indices together; scenes that need more get wider cells
 
 bool overlap(const Ball& a, const Ball& b) {
     const double dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
@@ -45,10 +45,16 @@ void CellGrid::fill(Level& level, const std::vector<Ball>& balls, const std::vec
             upper[d] = std::max(upper[d], x[d]);
         }
     }
-    for (int d = 0; d < 3; ++d)
-        level.width = std::max(level.width, (upper[d] - level.lower[d]) / static_cast<double>(kMostCells));
-    for (int d = 0; d < 3; ++d)
-        level.bits[d] = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(level.index(upper[d], d) + 1)));
+    const auto key_bits = [&] {
+        int sum = 0;
+        for (int d = 0; d < 3; ++d) {
+            const double cells = std::min((upper[d] - level.lower[d]) / level.width, std::ldexp(1.0, kKeyBits));
+            level.bits[d] = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(cells) + 2));
+            sum += level.bits[d];
+        }
+        return sum;
+    };
+    while (key_bits() > kKeyBits) level.width *= 2.0;
     keyed_.clear();
     for (const std::uint32_t i : bodies)
         keyed_.push_back(

@@ -24,10 +24,6 @@ std::vector<std::string> split_lines(const std::string& text) {
     return lines;
 }
 
-bool begins_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-}  // UTF-8
-
 // The part of a line around a column, which counts characters, and below it the caret. Long lines are cut, bytes that
 // are no text are shown as '?'. Tabs stay tabs in both lines, so that the caret stands where the fault is.
 std::string excerpt(const std::string& line, int column) {
