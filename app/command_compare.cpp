@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "io/compare.hpp"
+#include "io/results/compare.hpp"
 
 namespace scree::app {
 

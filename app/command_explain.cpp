@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "io/schema.hpp"
-#include "io/schema_text.hpp"
+#include "io/scenario/schema.hpp"
+#include "io/scenario/schema_text.hpp"
 
 namespace scree::app {
 namespace {

@@ -1,5 +1,5 @@
 // scree info: what a file of results is.
-#include "io/info.hpp"
+#include "io/results/info.hpp"
 
 #include <fmt/format.h>
 

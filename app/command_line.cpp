@@ -11,7 +11,7 @@
 #include "app/commands.hpp"
 #include "app/help_text.hpp"
 #include "app/human_text.hpp"
-#include "io/diagnostics.hpp"
+#include "io/scenario/diagnostics.hpp"
 
 namespace scree::app {
 namespace {

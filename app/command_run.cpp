@@ -12,7 +12,7 @@
 #include "app/run_setup.hpp"
 #include "app/run_summary.hpp"
 #include "io/atomic_file.hpp"
-#include "io/summary.hpp"
+#include "io/results/summary.hpp"
 
 namespace scree::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "io/diagnostics.hpp"
-#include "io/scenario_reader.hpp"
+#include "io/scenario/diagnostics.hpp"
+#include "io/scenario/scenario_reader.hpp"
 #include "scenarios/build.hpp"
 #include "solvers/stepper.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "core/scene.hpp"
 #include "core/state.hpp"
-#include "io/diagnostics.hpp"
-#include "io/scenario_node.hpp"
+#include "io/scenario/diagnostics.hpp"
+#include "io/scenario/scenario_node.hpp"
 
 namespace scree::app {
 

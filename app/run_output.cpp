@@ -8,7 +8,7 @@
 #include "app/phase_timer.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
-#include "io/checkpoint.hpp"
+#include "io/results/checkpoint.hpp"
 
 namespace scree::app {
 namespace fs = std::filesystem;

@@ -12,10 +12,10 @@
 #include "core/measure.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
-#include "io/history.hpp"
-#include "io/provenance.hpp"
-#include "io/run_log.hpp"
-#include "io/snapshot.hpp"
+#include "io/results/history.hpp"
+#include "io/results/provenance.hpp"
+#include "io/results/run_log.hpp"
+#include "io/results/snapshot.hpp"
 
 namespace scree::app {
 

@@ -9,7 +9,7 @@
 #include "app/scenario_difference.hpp"
 #include "app/scene_warnings.hpp"
 #include "io/atomic_file.hpp"
-#include "io/checkpoint.hpp"
+#include "io/results/checkpoint.hpp"
 
 namespace scree::app {
 namespace {

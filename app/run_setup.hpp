@@ -9,7 +9,7 @@
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
-#include "io/provenance.hpp"
+#include "io/results/provenance.hpp"
 
 namespace scree::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/run_loop.hpp"
 #include "core/plan.hpp"
-#include "io/summary.hpp"
+#include "io/results/summary.hpp"
 
 namespace scree::app {
 

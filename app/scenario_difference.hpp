@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/scenario_node.hpp"
+#include "io/scenario/scenario_node.hpp"
 
 namespace scree::app {
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/utf8.hpp"
+#include "io/scenario/utf8.hpp"
 
 namespace scree::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/diagnostics.hpp"
+#include "io/scenario/diagnostics.hpp"
 
 namespace scree::io {
 

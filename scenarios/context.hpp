@@ -9,8 +9,8 @@
 
 #include "core/ids.hpp"
 #include "core/vec.hpp"
-#include "io/diagnostics.hpp"
-#include "io/scenario_node.hpp"
+#include "io/scenario/diagnostics.hpp"
+#include "io/scenario/scenario_node.hpp"
 
 namespace scree::scenarios {
 

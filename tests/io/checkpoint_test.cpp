@@ -1,4 +1,4 @@
-#include "io/checkpoint.hpp"
+#include "io/results/checkpoint.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "core/errors.hpp"
 #include "io/atomic_file.hpp"
-#include "io/sealed_file.hpp"
+#include "io/results/sealed_file.hpp"
 #include "io_fixtures.hpp"
 
 namespace scree::io {

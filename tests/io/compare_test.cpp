@@ -1,4 +1,4 @@
-#include "io/compare.hpp"
+#include "io/results/compare.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "core/errors.hpp"
-#include "io/checkpoint.hpp"
-#include "io/history.hpp"
-#include "io/snapshot.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/history.hpp"
+#include "io/results/snapshot.hpp"
 #include "io_fixtures.hpp"
 
 namespace scree::io {

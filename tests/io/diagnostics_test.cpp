@@ -1,4 +1,4 @@
-#include "io/diagnostics.hpp"
+#include "io/scenario/diagnostics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/history.hpp"
+#include "io/results/history.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

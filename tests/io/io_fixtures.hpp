@@ -13,7 +13,7 @@
 #include "core/random.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
-#include "io/provenance.hpp"
+#include "io/results/provenance.hpp"
 
 namespace scree::io::testing {
 

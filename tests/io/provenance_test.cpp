@@ -1,4 +1,4 @@
-#include "io/provenance.hpp"
+#include "io/results/provenance.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "io/hdf5_file.hpp"
+#include "io/hdf5/hdf5_file.hpp"
 #include "io_fixtures.hpp"
 
 namespace scree::io {

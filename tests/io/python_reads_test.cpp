@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "io/checkpoint.hpp"
-#include "io/history.hpp"
-#include "io/snapshot.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/history.hpp"
+#include "io/results/snapshot.hpp"
 #include "io_fixtures.hpp"
 
 namespace scree::io {

@@ -1,4 +1,4 @@
-#include "io/quantity.hpp"
+#include "io/scenario/quantity.hpp"
 
 #include <gtest/gtest.h>
 

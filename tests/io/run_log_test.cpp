@@ -1,4 +1,4 @@
-#include "io/run_log.hpp"
+#include "io/results/run_log.hpp"
 
 #include <gtest/gtest.h>
 

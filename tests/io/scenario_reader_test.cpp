@@ -1,5 +1,5 @@
 // What good scenarios become: values, defaults, includes, overrides, and the resolved text.
-#include "io/scenario_reader.hpp"
+#include "io/scenario/scenario_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The JSON Schema against python3-jsonschema: what the reader takes it takes, what is wrong in form it refuses.
-#include "io/schema_json.hpp"
+#include "io/scenario/schema_json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/scenario_reader.hpp"
+#include "io/scenario/scenario_reader.hpp"
 
 namespace scree::io {
 namespace {

@@ -1,12 +1,12 @@
 // The table itself: whole, consistent, and told to the user.
-#include "io/schema.hpp"
+#include "io/scenario/schema.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "core/errors.hpp"
-#include "io/schema_text.hpp"
+#include "io/scenario/schema_text.hpp"
 
 namespace scree::io {
 namespace {

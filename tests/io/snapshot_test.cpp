@@ -1,4 +1,4 @@
-#include "io/snapshot.hpp"
+#include "io/results/snapshot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "core/errors.hpp"
 #include "io/atomic_file.hpp"
-#include "io/hdf5_file.hpp"
+#include "io/hdf5/hdf5_file.hpp"
 #include "io_fixtures.hpp"
 
 namespace scree::io {

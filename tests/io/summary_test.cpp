@@ -1,4 +1,4 @@
-#include "io/summary.hpp"
+#include "io/results/summary.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

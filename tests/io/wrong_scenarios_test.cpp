@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "io/scenario_reader.hpp"
+#include "io/scenario/scenario_reader.hpp"
 
 namespace scree::io {
 namespace {

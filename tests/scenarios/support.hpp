@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/scenario_reader.hpp"
+#include "io/scenario/scenario_reader.hpp"
 #include "scenarios/build.hpp"
 
 namespace scree::testing {

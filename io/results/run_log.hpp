@@ -1,0 +1,49 @@
+// run.jsonl: the log for machines. One JSON object a line: first {"kind": "provenance"}, then {"kind": "progress"} each
+// report interval, last {"kind": "status"}. Lines are only appended, and flushed each; a resumed run begins again with
+// a provenance record.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "core/step_report.hpp"
+#include "io/results/provenance.hpp"
+
+namespace scree::io {
+
+struct Progress {
+    double time = 0.0;  // [s]
+    std::uint64_t step = 0;
+    std::size_t bodies = 0, contacts = 0;
+    double sweeps = 0.0;                              // mean a step since the last record
+    double residual = 0.0;                            // rms of the last step
+    double penetration = 0.0;                         // [m] largest of the last step
+    double kinetic_energy = 0.0;                      // [J]
+    double mass = 0.0;                                // [kg]
+    double wall_time = 0.0;                           // [s] of the whole run
+    std::array<double, kPhaseCount> wall_by_phase{};  // [s]
+};
+
+class RunLog {
+  public:
+    // New (an old file is replaced) or continued; a half line that a killed run left is cut off.
+    RunLog(std::string path, bool continued);
+    ~RunLog();
+    RunLog(const RunLog&) = delete;
+    RunLog& operator=(const RunLog&) = delete;
+
+    void provenance(const Provenance& provenance);
+    void progress(const Progress& progress);
+    // status: "complete", "stopped_early" or "failed"; `reason` in words, may be empty.
+    void status(const std::string& status, const std::string& reason, double time, std::uint64_t step,
+                std::uint64_t state_hash);
+
+  private:
+    void line(const std::string& text);
+
+    std::string path_;
+    int file_ = -1;
+};
+
+}  // namespace scree::io

@@ -1,0 +1,54 @@
+// Snapshots: the bodies (and walls, and contacts if asked for) at one time, for pictures and analysis, from which
+// nothing restarts. Layout of snapshots/NNNNNN.h5, every dataset with the attributes unit, description and frame:
+//   /            format "scree snapshot", format_version, number, time [s], step, title, gravity [m/s2]
+//   /bodies      id (n), position (n,3) absolute, radius (n); velocity, spin (n,3), mass, material (n),
+//                orientation (n,4) as w,x,y,z: those that the scenario asks for and the run has
+//   /materials   name, density
+//   /walls       name, shape, parameters (JSON, in the wall's own frame), material, rotation (w,3,3), translation
+//   (w,3),
+//                present: a point of the wall is at  rotation . local + translation
+//   /contacts    id_a, id_b (-1 - wall index for a wall), feature, point, normal (from b to a), gap, impulse, force
+//                (mean over the step), both on a, status
+//   /provenance  see provenance.hpp
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/contact_record.hpp"
+#include "core/scene.hpp"
+#include "core/state.hpp"
+#include "io/results/provenance.hpp"
+#include "io/results/xdmf.hpp"
+
+namespace scree::io {
+
+// One file, atomically. Fields, contacts and compression as scene.output says.
+void write_snapshot(const std::string& path, std::uint64_t number, const Scene& scene, const State& state,
+                    const std::vector<ContactRecord>& contacts, const Provenance& provenance);
+
+// The snapshots of a run folder, and run.xdmf that lists them.
+class SnapshotSeries {
+  public:
+    // `first_number` is 0, or state.snapshots_written of the checkpoint that the run continues from: the snapshots
+    // before it are found in the folder and listed, the later ones will be written again.
+    SnapshotSeries(std::string run_folder, std::uint64_t first_number);
+
+    // Writes the snapshot with the number state.snapshots_written, rewrites run.xdmf, adds one to the number.
+    void write(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts,
+               const Provenance& provenance);
+
+    std::uint64_t files() const { return files_; }  // written by this object
+    std::uint64_t bytes() const { return bytes_; }
+
+  private:
+    std::string run_folder_;
+    XdmfSeries xdmf_;
+    std::uint64_t files_ = 0, bytes_ = 0;
+};
+
+// Paths of the snapshots in <run_folder>/snapshots, in order of number.
+std::vector<std::string> list_snapshots(const std::string& run_folder);
+
+}  // namespace scree::io

@@ -1,0 +1,252 @@
+#include "io/results/state_archive.hpp"
+
+#include <array>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "core/errors.hpp"
+#include "io/checksum.hpp"
+#include "io/hdf5/hdf5_file.hpp"
+
+namespace scree::io {
+
+namespace {
+
+// How one thing of type E becomes `width` numbers of type Number.
+template <class E>
+struct Packing {  // numbers, and the enums that are ids
+    static auto plain() {
+        if constexpr (std::is_enum_v<E>) {
+            return std::underlying_type_t<E>{};
+        } else {
+            return E{};
+        }
+    }
+    using Number = decltype(plain());
+    static constexpr std::size_t width = 1;
+    static void pack(const E& from, Number* to) { *to = static_cast<Number>(from); }
+    static void unpack(const Number* from, E& to) { to = static_cast<E>(*from); }
+};
+template <>
+struct Packing<Vec3> {
+    using Number = double;
+    static constexpr std::size_t width = 3;
+    static void pack(const Vec3& from, double* to) { std::memcpy(to, from.data(), sizeof(Vec3)); }
+    static void unpack(const double* from, Vec3& to) { std::memcpy(to.data(), from, sizeof(Vec3)); }
+};
+template <>
+struct Packing<Quat> {
+    using Number = double;
+    static constexpr std::size_t width = 4;
+    static void pack(const Quat& from, double* to) {
+        to[0] = from.w(), to[1] = from.x(), to[2] = from.y(), to[3] = from.z();
+    }
+    static void unpack(const double* from, Quat& to) { to = Quat(from[0], from[1], from[2], from[3]); }
+};
+template <std::size_t N>
+struct Packing<std::array<double, N>> {
+    using Number = double;
+    static constexpr std::size_t width = N;
+    static void pack(const std::array<double, N>& from, double* to) { std::memcpy(to, from.data(), sizeof(from)); }
+    static void unpack(const double* from, std::array<double, N>& to) { std::memcpy(to.data(), from, sizeof(to)); }
+};
+
+void add(Checksum& checksum, const std::string& name, const void* data, std::size_t bytes) {
+    checksum.add(name.data(), name.size());
+    checksum.add(data, bytes);
+}
+
+struct Writer {
+    static constexpr bool kReading = false;
+    const Hdf5Group& root;
+    Checksum checksum;
+
+    // One number (or small array) a thing: `member` picks it.
+    template <class Things, class Member>
+    void column(const std::string& name, const Things& things, const Member& member, const Meaning& meaning) {
+        using Pack = Packing<std::remove_cvref_t<decltype(member(things[0]))>>;
+        std::vector<typename Pack::Number> packed(things.size() * Pack::width);
+        std::size_t at = 0;
+        for (const auto& thing : things) Pack::pack(member(thing), packed.data() + Pack::width * at++);
+        add(checksum, name, packed.data(), packed.size() * sizeof(typename Pack::Number));
+        Rows rows = rows_of(std::span<const typename Pack::Number>(packed));
+        rows.count = things.size();
+        if (Pack::width > 1) rows.shape = {Pack::width};
+        write_rows(root, name, rows, meaning);
+    }
+};
+
+struct Reader {
+    static constexpr bool kReading = true;
+    const Hdf5Group& root;
+    Checksum checksum;
+
+    template <class Things, class Member>
+    void column(const std::string& name, Things& things, const Member& member, const Meaning&) {
+        using Pack = Packing<std::remove_cvref_t<decltype(member(things[0]))>>;
+        const DatasetInfo info = root.dataset(name);
+        const std::vector<std::size_t> shape = info.shape;
+        const bool fits = Pack::width == 1 ? shape.size() == 1 : shape.size() == 2 && shape[1] == Pack::width;
+        if (!fits) throw IoError(root.file() + ": dataset '" + name + "' has another shape than expected");
+        if constexpr (requires { things.resize(shape[0]); }) {
+            if (things.empty()) things.resize(shape[0]);  // else an earlier column of the same things gave the size
+        }
+        if (things.size() != shape[0]) throw IoError(root.file() + ": dataset '" + name + "' has another length");
+        std::vector<typename Pack::Number> packed(things.size() * Pack::width);
+        read_elements(root, name, rows_of(std::span<const typename Pack::Number>(packed)).type, packed.data());
+        add(checksum, name, packed.data(), packed.size() * sizeof(typename Pack::Number));
+        std::size_t at = 0;
+        for (auto& thing : things) Pack::unpack(packed.data() + Pack::width * at++, member(thing));
+    }
+};
+
+template <class Archive, class Vector>
+void whole(Archive& archive, const std::string& name, Vector& values, const Meaning& meaning) {
+    archive.column(
+        name, values, [](auto& value) -> auto& { return value; }, meaning);
+}
+template <class Archive, class T>
+void single(Archive& archive, const std::string& name, T& value, const Meaning& meaning) {
+    std::span<T, 1> one(&value, 1);
+    whole(archive, name, one, meaning);
+}
+
+template <class Archive, class B>
+void visit_bodies(Archive& a, B& b) {
+    whole(a, "bodies/id", b.id, {"1", "stable number of the body", ""});
+    whole(a, "bodies/radius", b.radius, {"m", "radius"});
+    whole(a, "bodies/mass", b.mass, {"kg", "mass"});
+    whole(a, "bodies/material", b.material, {"1", "index of the material"});
+    whole(a, "bodies/position", b.position, {"m", "centre, relative to the scene's origin", "scene"});
+    whole(a, "bodies/velocity", b.velocity, {"m/s", "velocity", "world"});
+    whole(a, "bodies/spin", b.spin, {"rad/s", "angular velocity; empty without friction", "world"});
+    whole(a, "bodies/orientation", b.orientation, {"1", "quaternion w, x, y, z; empty if no output asks", "world"});
+}
+
+template <class Archive, class W>
+void visit_warm_start(Archive& a, W& w) {
+    a.column("warm_start/a", w.key, [](auto& k) -> auto& { return k.a; }, {"1", "body id"});
+    a.column("warm_start/b", w.key, [](auto& k) -> auto& { return k.b; }, {"1", "body id, or 2^63 + wall index"});
+    a.column("warm_start/feature", w.key, [](auto& k) -> auto& { return k.feature; }, {"1", "surface of the wall"});
+    whole(a, "warm_start/impulse_vector", w.impulse_vector, {"N s", "impulse on a; with friction", "world"});
+    whole(a, "warm_start/impulse_normal", w.impulse_normal, {"N s", "normal impulse; without friction"});
+    single(a, "warm_start/step", w.step, {"s", "length of the step that the impulses belong to"});
+}
+
+template <class Archive, class S>
+void visit_doors(Archive& a, S& s) {
+    a.column("inlets/attempts", s.inlets, [](auto& i) -> auto& { return i.attempts; }, {"1", "draws so far"});
+    a.column("inlets/bodies", s.inlets, [](auto& i) -> auto& { return i.bodies; }, {"1", "bodies made so far"});
+    a.column("inlets/mass", s.inlets, [](auto& i) -> auto& { return i.mass; }, {"kg", "mass made so far"});
+    a.column("outlets/bodies", s.outlets, [](auto& o) -> auto& { return o.bodies; }, {"1", "bodies taken so far"});
+    a.column("outlets/mass", s.outlets, [](auto& o) -> auto& { return o.mass; }, {"kg", "mass taken so far"});
+}
+
+template <class Archive, class S>
+void visit_measures(Archive& a, S& s) {
+    const auto column = [&](const char* name, auto MeasureState::*member, const Meaning& meaning) {
+        a.column(
+            std::string("measures/") + name, s.measures, [member](auto& m) -> auto& { return m.*member; }, meaning);
+    };
+    column("passed_mass", &MeasureState::passed_mass, {"kg", "passed the surface since the start"});
+    column("passed_count", &MeasureState::passed_count, {"1", "bodies that passed since the start"});
+    column("passed_mass_at_row", &MeasureState::passed_mass_at_row, {"kg", "at the last history row"});
+    column("passed_count_at_row", &MeasureState::passed_count_at_row, {"1", "at the last history row"});
+    column("time_at_row", &MeasureState::time_at_row, {"s", "time of the last history row"});
+    column("window_time", &MeasureState::window_time, {"s", "time inside the window so far"});
+    // The sums have one length a measure: all numbers one after another, and the lengths.
+    std::vector<std::uint64_t> length;
+    std::vector<double> sum;
+    if constexpr (!Archive::kReading) {
+        for (const MeasureState& m : s.measures) {
+            length.push_back(m.window_sum.size());
+            sum.insert(sum.end(), m.window_sum.begin(), m.window_sum.end());
+        }
+    }
+    whole(a, "measures/window_length", length, {"1", "numbers of each measure in window_sum"});
+    whole(a, "measures/window_sum", sum, {"", "time-weighted sums over the window, measure after measure"});
+    if constexpr (Archive::kReading) {
+        std::size_t total = 0;
+        for (std::uint64_t n : length) total += n;
+        if (length.size() != s.measures.size() || total != sum.size()) {
+            throw IoError(a.root.file() + ": dataset 'measures/window_sum' has another length");
+        }
+        auto next = sum.begin();
+        for (std::size_t i = 0; i < length.size(); ++i) {
+            const auto end = next + static_cast<std::ptrdiff_t>(length[i]);
+            s.measures[i].window_sum.assign(next, end);
+            next = end;
+        }
+    }
+}
+
+template <class Archive, class L>
+void visit_ledger(Archive& a, L& l) {
+    single(a, "ledger/kinetic_0", l.kinetic_0, {"J", "kinetic energy at the start"});
+    single(a, "ledger/potential_0", l.potential_0, {"J", "potential energy at the start"});
+    single(a, "ledger/kinetic", l.kinetic, {"J", "kinetic energy"});
+    single(a, "ledger/potential", l.potential, {"J", "potential energy"});
+    single(a, "ledger/work", l.work, {"J", "restitution, friction, walls, correction, gravity, inlets, outlets"});
+    single(a, "ledger/kinetic_max", l.kinetic_max, {"J", "largest kinetic energy so far"});
+    single(a, "ledger/potential_min", l.potential_min, {"J", "smallest potential energy so far"});
+    single(a, "ledger/potential_max", l.potential_max, {"J", "largest potential energy so far"});
+    single(a, "ledger/gained", l.gained, {"J", "energy that single contacts added"});
+}
+
+template <class Archive, class T>
+void visit_totals(Archive& a, T& t) {
+    single(a, "totals/steps", t.steps, {"1", "steps, each substep counted"});
+    single(a, "totals/substepped", t.substepped, {"1", "scenario steps cut into substeps"});
+    single(a, "totals/steps_not_converged", t.steps_not_converged, {"1", "steps that ended unconverged"});
+    single(a, "totals/sweeps", t.sweeps, {"1", "sweeps"});
+    single(a, "totals/contact_updates", t.contact_updates, {"1", "contacts times sweeps"});
+    single(a, "totals/sweeps_max", t.sweeps_max, {"1", "most sweeps in a step"});
+    single(a, "totals/residual_sum", t.residual_sum, {"1", "sum over steps of the scaled residual, rms"});
+    single(a, "totals/residual_max", t.residual_max, {"1", "largest scaled residual"});
+    single(a, "totals/penetration_max", t.penetration_max, {"m", "largest penetration"});
+    single(a, "totals/penetration_max_relative", t.penetration_max_relative, {"1", "over the diameter"});
+    single(a, "totals/penetration_mean_sum", t.penetration_mean_sum, {"m", "sum over steps of the mean"});
+    single(a, "totals/penetration_mean_relative_sum", t.penetration_mean_relative_sum, {"1", "over the diameter"});
+    single(a, "totals/steps_with_contacts", t.steps_with_contacts, {"1", "steps with contacts"});
+    single(a, "totals/momentum_error_max", t.momentum_error_max, {"1", "largest relative momentum error"});
+    single(a, "totals/wall_by_phase", t.wall_by_phase,
+           {"s", "detection, setup, solve, integration, correction, measures, output"});
+    single(a, "totals/wall_time", t.wall_time, {"s", "time of the wall clock"});
+}
+
+template <class Archive, class S>
+void visit_state(Archive& a, S& s) {
+    single(a, "time", s.time, {"s", "simulated time"});
+    single(a, "step", s.step, {"1", "scenario steps done"});
+    single(a, "next_id", s.next_id, {"1", "next free body id"});
+    single(a, "snapshots_written", s.snapshots_written, {"1", "snapshots so far"});
+    single(a, "history_rows", s.history_rows, {"1", "rows of the history so far"});
+    visit_bodies(a, s.bodies);
+    visit_warm_start(a, s.warm_start);
+    visit_doors(a, s);
+    visit_measures(a, s);
+    visit_ledger(a, s.ledger);
+    visit_totals(a, s.totals);
+}
+
+}  // namespace
+
+std::uint64_t write_state(const Hdf5Group& root, const State& state) {
+    Writer writer{root, {}};
+    visit_state(writer, state);
+    for (const char* name : {"totals/wall_by_phase", "totals/wall_time"}) {
+        mark_dataset(root, name, "wall_clock", "differs from run to run");
+    }
+    return writer.checksum.value();
+}
+
+std::uint64_t read_state(const Hdf5Group& root, State& state) {
+    state = {};
+    Reader reader{root, {}};
+    visit_state(reader, state);
+    return reader.checksum.value();
+}
+
+}  // namespace scree::io

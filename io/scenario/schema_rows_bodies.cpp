@@ -1,0 +1,125 @@
+// Rows of the schema table: bodies.
+#include "io/scenario/schema_rows.hpp"
+
+namespace scree::io::rows {
+
+std::vector<Row> bodies() {
+    std::vector<Row> rows{
+        list("bodies").picked_by("generator").says("What moves. Bodies get their ids in the order of this list."),
+        text("bodies[].name")
+            .or_else("the generator and its number in the list")
+            .unique()
+            .says("A name for messages and summaries. Changes no result."),
+
+        variant("bodies[sphere]").says("One sphere."),
+        text("bodies[sphere].material")
+            .required()
+            .naming("materials")
+            .says("Its material: density, and the laws of its contacts."),
+        vector("bodies[sphere].position", length).required().says("Centre at time 0."),
+        number("bodies[sphere].radius", length)
+            .in(kPositive)
+            .or_else("half of `diameter`")
+            .says("Radius; this or `diameter`. Mass grows with its cube."),
+        number("bodies[sphere].diameter", length)
+            .in(kPositive)
+            .or_else("twice `radius`")
+            .says("Diameter; this or `radius`."),
+
+        variant("bodies[lattice]")
+            .says("Bodies on a grid: x runs fastest, then y, then z. The cheapest way to many bodies; let them fall to "
+                  "lose the order."),
+        text("bodies[lattice].material").required().naming("materials").says("Their material."),
+        section("bodies[lattice].size")
+            .required()
+            .like("SIZE")
+            .says("Their sizes. Diameters larger than the pitch make neighbours overlap, which is an error."),
+        vector("bodies[lattice].corner", length).required().says("Centre of the first body, before jitter."),
+        row(Kind::number_or_vector, "bodies[lattice].pitch", length)
+            .required()
+            .in(kPositive)
+            .says("Distance between neighbours: one number, or one an axis."),
+        listing(Kind::integers, "bodies[lattice].cells", 3)
+            .required()
+            .in(between(1, 1e9))
+            .says("Number of places along x, y and z."),
+        choice("bodies[lattice].arrangement", {"cubic", "hexagonal"})
+            .standardly("cubic")
+            .says("`cubic`: places straight above each other. `hexagonal`: close packing of equal spheres, every "
+                  "second row and layer shifted."),
+        integer("bodies[lattice].count")
+            .in(between(1, 1e12))
+            .or_else("every place is filled")
+            .says("Stop after so many bodies."),
+        number("bodies[lattice].jitter", length)
+            .standardly("0")
+            .in(kNotNegative)
+            .says("Each centre is moved at random by up to this along each axis. A little destroys the crystal as it "
+                  "settles."),
+        section("bodies[lattice].clip")
+            .like("REGION")
+            .or_else("the whole grid is used")
+            .says("Only places whose centre is in this region are filled."),
+
+        variant("bodies[random]").says("Bodies at random places that do not overlap, put in one after the other."),
+        text("bodies[random].material").required().naming("materials").says("Their material."),
+        section("bodies[random].size").required().like("SIZE").says("Their sizes."),
+        section("bodies[random].region")
+            .required()
+            .like("REGION")
+            .says("Where they are; whole bodies lie inside, not only centres."),
+        integer("bodies[random].count")
+            .in(between(1, 1e12))
+            .or_else("`mass` or `packing_fraction` says how many")
+            .says("Number of bodies."),
+        number("bodies[random].mass", mass)
+            .in(kPositive)
+            .or_else("`count` or `packing_fraction` says how many")
+            .says("Bodies are added until their mass reaches this."),
+        number("bodies[random].packing_fraction")
+            .in({0.0, 0.6, true})
+            .or_else("`count` or `mass` says how many")
+            .says("Bodies are added until they fill this share of the region. Above 0.3 insertion becomes slow, above "
+                  "0.38 it fails for equal spheres."),
+        number("bodies[random].gap", length)
+            .standardly("0")
+            .in(kNotNegative)
+            .says("Least distance between surfaces. More: a looser start."),
+        integer("bodies[random].attempts")
+            .standardly("10000")
+            .in(between(1, 1e9))
+            .says("Places tried for one body before the run is refused as too dense."),
+
+        variant("bodies[file]")
+            .says("Bodies from a text file, one a line, numbers separated by blanks, `#` begins a comment."),
+        text("bodies[file].path")
+            .required()
+            .naming_file()
+            .says("The file; a relative path starts at the folder of the scenario that names it."),
+        choices("bodies[file].columns",
+                {"x", "y", "z", "r", "d", "vx", "vy", "vz", "wx", "wy", "wz", "material", "skip"})
+            .standardly("[x, y, z, r]")
+            .says("What the columns hold: position, radius r or diameter d, velocity, angular velocity, the material's "
+                  "name; `skip` "
+                  "passes over a column. SI, before `scale`."),
+        text("bodies[file].material")
+            .naming("materials")
+            .or_else("a column says it")
+            .says("The material of all; needed unless a column says it."),
+        number("bodies[file].scale")
+            .standardly("1")
+            .in(kPositive)
+            .says("Multiplies positions and sizes, not velocities: 0.001 reads millimetres."),
+        vector("bodies[file].offset", length).standardly("[0, 0, 0]").says("Added to each position, after `scale`."),
+    };
+    for (const char* generator : {"sphere", "lattice", "random"}) {
+        const std::string path = std::string("bodies[") + generator + "].";
+        rows.push_back(vector(path + "velocity", velocity).standardly("[0, 0, 0]").says("Velocity at time 0."));
+        rows.push_back(vector(path + "spin", angular_velocity)
+                           .standardly("[0, 0, 0]")
+                           .says("Angular velocity at time 0. Without effect where nothing has friction."));
+    }
+    return rows;
+}
+
+}  // namespace scree::io::rows
