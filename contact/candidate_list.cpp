@@ -29,6 +29,7 @@ bool CandidateList::still_holds(const State& state, double time, const std::vect
 bool CandidateList::bring(const Scene& scene, const State& state, double step, double time,
                           const std::vector<double>& margin) {
     place_walls(scene, time, state.time + 0.5 * step);
+    margin_ = margin;
     if (still_holds(state, time, margin)) return false;
     const Bodies& bodies = state.bodies;
     const std::size_t n = bodies.size();
@@ -97,7 +98,7 @@ void CandidateList::rebuild_walls(const Scene& scene, const State& state, double
 }
 
 std::size_t CandidateList::bytes() const {
-    return grid_.bytes() + ball_.capacity() * sizeof(Ball) + slack_.capacity() * 8 +
+    return grid_.bytes() + ball_.capacity() * sizeof(Ball) + (slack_.capacity() + margin_.capacity()) * 8 +
            (pair_.capacity() + pair_scratch_.capacity()) * sizeof(BodyPair) +
            (partner_begin_.capacity() + wall_begin_.capacity()) * sizeof(std::size_t) +
            (partner_.capacity() + wall_.capacity()) * 4;

@@ -45,6 +45,7 @@ class CandidateList {
     std::span<const std::uint32_t> walls(std::size_t i) const {
         return {wall_.data() + wall_begin_[i], wall_.data() + wall_begin_[i + 1]};
     }
+    double margin(std::size_t i) const { return margin_[i]; }             // [m] of the last update
     const std::vector<WallFrame>& wall_frames() const { return frame_; }  // one a wall of the scene
     std::uint64_t rebuilds() const { return rebuilds_; }
     std::size_t bytes() const;
@@ -59,6 +60,7 @@ class CandidateList {
     bool valid_ = false;
     double valid_until_ = 0.0;  // [s] the last time that the reach of moving walls covers
     std::vector<WallFrame> frame_;
+    std::vector<double> margin_;
     std::uint64_t rebuilds_ = 0;
     CellGrid grid_;
     std::vector<Ball> ball_;     // n, where the list was made; radius r + s

@@ -36,11 +36,16 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
         const double radius = bodies.radius[i];
         const Vec3& v = bodies.velocity[i];
         for (const std::uint32_t j : candidates.partners(i)) {
+            // most candidates are too far at any speed: no root for them
+            const double radii = radius + bodies.radius[j];
+            const double farthest = (1.0 + kTouch) * (radii + candidates.margin(i) + candidates.margin(j));
+            if ((x - bodies.position[j]).squaredNorm() > farthest * farthest) continue;
             const Vec3 relative = v - bodies.velocity[j];
-            const double reach = look * relative.norm() + h * step.resting_speed;
-            const SphereGap pair = sphere_sphere(x, bodies.position[j], radius + bodies.radius[j], relative);
-            const double touch = kTouch * (radius + bodies.radius[j]);
-            if (pair.gap > std::max({touch, reach, 0.5 * h * relative.norm()})) continue;
+            const double speed = relative.norm();
+            const double reach = look * speed + h * step.resting_speed;
+            const SphereGap pair = sphere_sphere(x, bodies.position[j], radii, relative);
+            const double touch = kTouch * radii;
+            if (pair.gap > std::max({touch, reach, 0.5 * h * speed})) continue;
             const PairLaw& law = scene.pairs(bodies.material[i], bodies.material[j]);
             const double approach = relative.dot(pair.normal);
             double bias = 0.0;

@@ -15,18 +15,29 @@ class NearContacts {
   public:
     // Contacts in order of key, gaps exact at the end of the step; `bias` and `friction` are 0. A body may be pushed as
     // far as its deepest overlap d_i, or one of those whom it may be pushed into; a pair is near if its gap is below
-    // d_i + d_j. Without any overlap the set is empty.
+    // d_i + d_j. Overlaps at round-off push nobody; if there are no others the set is empty.
     const ContactSet& find(const Scene& scene, const State& state, double step, CandidateList& candidates);
+    // The overlaps that are in no contact of the set.
+    struct Shallow {
+        std::size_t count = 0;
+        double max = 0.0, sum = 0.0;                    // [m]
+        double max_relative = 0.0, sum_relative = 0.0;  // of the diameter
+    };
+    const Shallow& shallow() const { return shallow_; }
     // Of a body a with contact (a, b): the diameter that penetration is compared with [m].
     static double diameter(const Contact& contact, const Bodies& bodies);
     std::size_t bytes() const;
 
   private:
+    void widen(const Bodies& bodies, const CandidateList& candidates);
+    void add_shallow(double depth, double diameter);
     void measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates);
     void collect(const Scene& scene, const State& state, const CandidateList& candidates);
 
     std::vector<double> push_, wider_;  // [m] d_i, n
+    std::vector<double> gap_;           // [m] of each pair of the list, in its order
     ContactSet contacts_;
+    Shallow shallow_;
 };
 
 }  // namespace scree::contact

@@ -35,22 +35,35 @@ void set_velocity(Line& line, const Vec3& v, double inverse_mass) {
     line.inverse_mass = inverse_mass;
 }
 
-// line + beta (line - previous) for the moving part, and previous = line.
-void extrapolate(SpinningLine& line, SpinningLine& previous, double beta) {
-    const SpinningLine now = line;
-    for (int k = 0; k < 3; ++k) {
-        line.v[k] = now.v[k] + beta * (now.v[k] - previous.v[k]);
-        line.w[k] = now.w[k] + beta * (now.w[k] - previous.w[k]);
+// now + beta (now - previous), and previous = now, over whole lines as flat numbers: masses do not change, so their
+// difference is zero and they stay as they are.
+void extrapolate(double* now, double* previous, std::size_t count, double beta) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = now[i];
+        now[i] = x + beta * (x - previous[i]);
+        previous[i] = x;
     }
-    previous = now;
-}
-void extrapolate(SlidingLine& line, SlidingLine& previous, double beta) {
-    const SlidingLine now = line;
-    for (int k = 0; k < 3; ++k) line.v[k] = now.v[k] + beta * (now.v[k] - previous.v[k]);
-    previous = now;
 }
 
 }  // namespace
+
+template <class Law>
+void ContactProblem<Law>::free_lines(const State& state, const Vec3& dv_free) {
+    const Bodies& bodies = state.bodies;
+    for (std::size_t i = 0; i < bodies_; ++i) {
+        Line& line = line_[layout_->line(i)];
+        const double inverse_mass = 1.0 / bodies.mass[i];
+        set_velocity(line, bodies.velocity[i] + dv_free, inverse_mass);
+        if constexpr (Law::kImpulse == 3)
+            set_spin(line, bodies.radius[i] * bodies.spin[i], inverse_mass / Bodies::kSphereInertia);
+    }
+}
+
+template <class Law>
+void ContactProblem<Law>::rebuild_lines(const State& state, const Vec3& dv_free) {
+    free_lines(state, dv_free);
+    for (const Batch& batch : batch_) apply(batch, line_.data());
+}
 
 template <class Law>
 void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state,
@@ -61,13 +74,7 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
     bodies_ = bodies.size();
     line_.resize(bodies_ + 1);
     line_[kGround] = Line{};
-    for (std::size_t i = 0; i < bodies_; ++i) {
-        Line& line = line_[layout.line(i)];
-        const double inverse_mass = 1.0 / bodies.mass[i];
-        set_velocity(line, bodies.velocity[i] + dv_free, inverse_mass);
-        if constexpr (Law::kImpulse == 3)
-            set_spin(line, bodies.radius[i] * bodies.spin[i], inverse_mass / Bodies::kSphereInertia);
-    }
+    free_lines(state, dv_free);
     batch_.resize(layout.batches());
     for (std::size_t k = 0; k < batch_.size(); ++k) {
         Batch& batch = batch_[k];
@@ -149,7 +156,8 @@ double ContactProblem<Law>::sweep(double beta, bool momentum) {
     };
     double sum = 0.0;
     if (momentum) {
-        for (std::size_t i = 1; i <= bodies_; ++i) extrapolate(line_[i], line_previous_[i], beta);
+        constexpr std::size_t kNumbers = sizeof(Line) / sizeof(double);
+        extrapolate(line_[1].v, line_previous_[1].v, layout_->touched_lines() * kNumbers, beta);
         sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
             fetch(k + kFetchAhead);
             return update<true>(batch_[k], line, previous_[k].p, b);

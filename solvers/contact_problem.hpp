@@ -52,6 +52,9 @@ class ContactProblem {
     Residual residual() const;
     // Work of the impulses on the mean of the velocities before (state) and after (lines).
     ContactWork work(const State& state) const;
+    // Makes the lines anew from the free velocities and the impulses: what hundreds of sweeps and extrapolations left
+    // of round-off is gone. `state` has the velocities before the step.
+    void rebuild_lines(const State& state, const Vec3& dv_free);
     // Velocities and spins of the bodies after the step.
     void velocities(State& state) const;
     // Impulses in order of key.
@@ -66,6 +69,8 @@ class ContactProblem {
     std::size_t bytes() const;
 
   private:
+    void free_lines(const State& state, const Vec3& dv_free);
+
     const Layout* layout_ = nullptr;
     std::size_t contacts_ = 0, bodies_ = 0;
     double v_ref_ = 0.0;

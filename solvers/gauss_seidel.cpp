@@ -46,7 +46,7 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
             ++report.residual_checks;
             report.converged = good(report.residual);
             if (last || report.converged) return report;
-            next_check = report.sweeps + 2 + report.sweeps / 8;
+            next_check = report.sweeps + 1 + report.sweeps / 16;
         }
         if (accelerate) beta = momentum.next(change);
     }

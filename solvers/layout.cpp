@@ -128,6 +128,7 @@ void Layout::assign_lines(const contact::ContactSet& contacts, std::size_t bodie
             visit(contacts[c].a);
             if (!contacts[c].key.is_wall()) visit(contacts[c].b);
         }
+    touched_ = next - 1;
     for (std::uint32_t body = 0; body < bodies; ++body) visit(body);
 }
 

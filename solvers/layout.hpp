@@ -34,6 +34,8 @@ class Layout {
     // The line of each body: lines lie in the order in which the batches first come to their bodies, so that a sweep
     // walks through memory as it walks through space. Bodies without a contact come last; line 0 is the ground.
     std::uint32_t line(std::size_t body) const { return body_line_[body]; }
+    // Lines 1 to this are those of bodies with a contact.
+    std::uint32_t touched_lines() const { return touched_; }
     std::size_t bytes() const;
 
   private:
@@ -52,6 +54,7 @@ class Layout {
     void assign_lines(const contact::ContactSet& contacts, std::size_t bodies);
 
     std::vector<std::uint32_t> body_line_;  // n
+    std::uint32_t touched_ = 0;
     std::vector<Placed> placed_, sorted_;
     std::vector<Block> blocks_;
     std::vector<std::array<std::uint32_t, kLanes>> lane_;

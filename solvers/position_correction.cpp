@@ -36,8 +36,9 @@ void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bod
 
 Penetration PositionCorrection::measure(const contact::ContactSet& contacts, const Bodies& bodies,
                                         std::size_t closed) const {
-    Penetration result;
-    std::size_t overlaps = 0;
+    const contact::NearContacts::Shallow& shallow = near_.shallow();
+    Penetration result{shallow.max, shallow.sum, shallow.max_relative, shallow.sum_relative};
+    std::size_t overlaps = shallow.count;
     for (const contact::Contact& c : contacts) {
         const SlidingLine& a = line_[layout_.line(c.a)];
         const SlidingLine& b = line_[c.key.is_wall() ? kGround : layout_.line(c.b)];
@@ -57,25 +58,33 @@ Penetration PositionCorrection::measure(const contact::ContactSet& contacts, con
     return result;
 }
 
+int PositionCorrection::sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most) {
+    double smallest = 2.0 * bodies.radius[contacts.front().a];
+    for (const contact::Contact& c : contacts) smallest = std::min(smallest, 2.0 * bodies.radius[c.a]);
+    const double settled = kSettled * smallest;
+    const Pack none = Pack::all(0.0);
+    for (int sweep = 1; sweep <= most; ++sweep) {
+        Pack farthest = none;
+        for (FrictionlessBatch& batch : batch_)
+            farthest = max(farthest, update<false>(batch, line_.data(), nullptr, none));
+        if (std::sqrt(max_lanes(farthest)) <= settled) return sweep;
+    }
+    return most;
+}
+
 CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std::size_t closed, double block_size,
                                            contact::CandidateList& candidates, State& state) {
     CorrectionReport report;
     Bodies& bodies = state.bodies;
     const contact::ContactSet& contacts = near_.find(scene, state, step, candidates);
-    if (contacts.empty()) return report;
+    if (contacts.empty()) {
+        report.penetration = measure(contacts, bodies, closed);
+        return report;
+    }
     layout_.arrange(contacts, bodies, block_size);
     assemble(contacts, bodies, scene.correction.share);
     if (scene.correction.on) {
-        const Pack none = Pack::all(0.0);
-        double smallest = contact::NearContacts::diameter(contacts.front(), bodies);
-        for (const contact::Contact& c : contacts) smallest = std::min(smallest, 2.0 * bodies.radius[c.a]);
-        for (double moved = smallest; report.sweeps < scene.correction.sweeps && moved > kSettled * smallest;
-             ++report.sweeps) {
-            Pack largest = none;
-            for (FrictionlessBatch& batch : batch_)
-                largest = max(largest, update<false>(batch, line_.data(), nullptr, none));
-            moved = std::sqrt(max_lanes(largest));
-        }
+        report.sweeps = sweep_until_settled(contacts, bodies, scene.correction.sweeps);
         const Vec3 gravity = scene.gravity.at(state.time + step);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const SlidingLine& line = line_[layout_.line(i)];

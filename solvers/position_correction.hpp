@@ -31,6 +31,8 @@ class PositionCorrection {
 
   private:
     void assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share);
+    // At most `most` sweeps; returns how many.
+    int sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most);
     Penetration measure(const contact::ContactSet& contacts, const Bodies& bodies, std::size_t closed) const;
 
     contact::NearContacts near_;

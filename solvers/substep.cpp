@@ -54,6 +54,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     set_up(state, times);
     clock.lap(Phase::setup);
     const SolveReport solved = gauss_seidel(problem_, scene_.solver);
+    problem_.rebuild_lines(state, step * scene_.gravity.at(times.middle()));
     report.sweeps = solved.sweeps;
     report.residual_rms = solved.residual.rms;
     report.residual_max = solved.residual.max;
