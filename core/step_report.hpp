@@ -48,7 +48,7 @@ struct RunTotals {
     double penetration_mean_sum = 0.0, penetration_mean_relative_sum = 0.0;  // over steps with contacts
     std::uint64_t steps_with_contacts = 0;
     double momentum_error_max = 0.0;
-    std::array<double, kPhaseCount> wall_by_phase{};  // [s], earlier sessions of a resumed run included
+    std::array<double, kPhaseCount> wall_by_phase{};  // [s], the parts of a resumed run together
     double wall_time = 0.0;                           // [s]
 };
 
