@@ -1,10 +1,12 @@
 #include "contact/find_contacts.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "contact/laws/impact.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "contact/walls/wall_contact.hpp"
+#include "core/errors.hpp"
 
 namespace scree::contact {
 namespace {
@@ -19,7 +21,14 @@ void contact_margins(const Scene& scene, const State& state, const StepTimes& ti
     margin.resize(bodies.size());
     const double half = 0.5 * times.step * std::max(1.0, scene.solver.look_ahead);
     const double fall = times.step * scene.gravity.at(times.middle()).norm();
-    for (std::size_t i = 0; i < bodies.size(); ++i) margin[i] = half * bodies.velocity[i].norm() + times.step * fall;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        margin[i] = half * bodies.velocity[i].norm() + times.step * fall;
+        sum += margin[i] + bodies.position[i].sum();
+    }
+    // no grid can hold what is nowhere
+    if (!std::isfinite(sum))
+        throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
 }
 
 void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,

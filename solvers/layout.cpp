@@ -15,8 +15,9 @@ constexpr std::int64_t kMostBlocks = std::int64_t{1} << 20;  // in one direction
 // Index of the block that holds x. Far out, indices are held at the last block: that only puts contacts that are far
 // apart into one list, where first fit keeps their bodies apart.
 std::int64_t block_index(double x, double size) {
-    return static_cast<std::int64_t>(
-        std::clamp(std::floor(x / size), -static_cast<double>(kMostBlocks), static_cast<double>(kMostBlocks)));
+    const double i = std::floor(x / size), most = static_cast<double>(kMostBlocks);
+    if (!(i > -most)) return -kMostBlocks;
+    return i < most ? static_cast<std::int64_t>(i) : kMostBlocks;
 }
 
 }  // namespace
