@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "contact/walls/wall_contact.hpp"
 #include "core/radix_sort.hpp"
 
 namespace scree::contact {

@@ -3,7 +3,8 @@
 // With the gap g at the middle of the step, q_m, and the end gap g + (h/2) u_N (theta = 1/2):
 //   impact   the contact closes within the step of free flight, g + (h/2) u_free <= 0:  c = e u_N^-
 //            (Newton's law as Moreau (1988) puts it);
-//   approach it would stay open, or meets at no more than the speed that gravity gives in a step:  c = 2 g / h,
+//   approach it would stay open, meets at no more than twice the speed that gravity gives in a step, or e = 0:  c = 2 g
+//   / h,
 //            it may close but not overlap by the end of the step (no force across a gap, no tunnelling).
 // A perfectly elastic contact (e = 1) is never held back in approach: that would take energy away.
 #pragma once
