@@ -8,7 +8,7 @@
 namespace scree::contact {
 namespace {
 
-constexpr double kNegligible = 1e-12;  // of the diameter: shallower overlaps are round-off
+constexpr double kNegligible = 1e-4;   // of the diameter: shallower overlaps push nobody
 constexpr int kRings = 2;              // of neighbours that a push may reach
 constexpr double kMostPush = 0.5;      // of the radius: deeper overlaps take several steps
 
@@ -22,9 +22,11 @@ double NearContacts::diameter(const Contact& contact, const Bodies& bodies) {
 void NearContacts::measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates) {
     const Bodies& bodies = state.bodies;
     gap_.clear();
+    double deepest = 0.0;
     const auto deepen = [&](std::size_t i, double gap, double diameter) {
         if (-gap <= kNegligible * diameter) return;
         push_[i] = std::max(push_[i], std::min(-gap, kMostPush * bodies.radius[i]));
+        deepest = std::max(deepest, push_[i]);
     };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (const std::uint32_t j : candidates.partners(i)) {
@@ -45,6 +47,14 @@ void NearContacts::measure_gaps(const Scene& scene, const State& state, const Ca
                 deepen(i, found.item[static_cast<std::size_t>(k)].gap, 2.0 * bodies.radius[i]);
         }
     }
+    // no push is wider than the deepest
+    near_.clear();
+    const double* gap = gap_.data();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+        for (const std::uint32_t j : candidates.partners(i)) {
+            if (*gap < 2.0 * deepest) near_.push_back({i, j, *gap});
+            ++gap;
+        }
 }
 
 const ContactSet& NearContacts::find(const Scene& scene, const State& state, double step, CandidateList& candidates) {
@@ -62,24 +72,22 @@ const ContactSet& NearContacts::find(const Scene& scene, const State& state, dou
     for (int ring = 0; ring <= kRings; ++ring) {
         // a wider push needs a wider list; what is measured again is the same
         if (candidates.update_at_end(scene, state, step, push_)) measure_gaps(scene, state, candidates);
-        if (ring < kRings) widen(state.bodies, candidates);
+        if (ring < kRings) widen(state.bodies);
     }
     collect(scene, state, candidates);
     return contacts_;
 }
 
 // Whom a pushed body reaches is pushed in turn, by half of what is left of the push: two share it.
-void NearContacts::widen(const Bodies& bodies, const CandidateList& candidates) {
+void NearContacts::widen(const Bodies& bodies) {
     wider_ = push_;
-    const double* gap = gap_.data();
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (const std::uint32_t j : candidates.partners(i)) {
-            const double push = std::max(push_[i], push_[j]), open = std::max(*gap++, 0.0);
-            if (open >= push) continue;
-            const double passed_on = 0.5 * (push - open);
-            wider_[i] = std::max(wider_[i], std::min(passed_on, kMostPush * bodies.radius[i]));
-            wider_[j] = std::max(wider_[j], std::min(passed_on, kMostPush * bodies.radius[j]));
-        }
+    for (const NearPair& pair : near_) {
+        const double push = std::max(push_[pair.a], push_[pair.b]), open = std::max(pair.gap, 0.0);
+        if (open >= push) continue;
+        const double passed_on = 0.5 * (push - open);
+        wider_[pair.a] = std::max(wider_[pair.a], std::min(passed_on, kMostPush * bodies.radius[pair.a]));
+        wider_[pair.b] = std::max(wider_[pair.b], std::min(passed_on, kMostPush * bodies.radius[pair.b]));
+    }
     push_.swap(wider_);
 }
 
@@ -94,21 +102,22 @@ void NearContacts::add_shallow(double depth, double diameter) {
 
 void NearContacts::collect(const Scene& scene, const State& state, const CandidateList& candidates) {
     const Bodies& bodies = state.bodies;
-    const double* next_gap = gap_.data();
+    auto pair = near_.begin();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& x = bodies.position[i];
         const double radius = bodies.radius[i];
-        for (const std::uint32_t j : candidates.partners(i)) {
-            const double gap = *next_gap++, reach = push_[i] + push_[j];
-            if (gap >= reach) continue;
+        for (; pair != near_.end() && pair->a == i; ++pair) {
+            const std::uint32_t j = pair->b;
+            const double reach = push_[i] + push_[j];
+            if (pair->gap >= reach) continue;
             const double radii = radius + bodies.radius[j];
             if (reach == 0.0) {
-                add_shallow(-gap, radii);
+                add_shallow(-pair->gap, radii);
                 continue;
             }
-            const SphereGap pair = sphere_sphere(x, bodies.position[j], radii, bodies.velocity[j] - bodies.velocity[i]);
+            const SphereGap g = sphere_sphere(x, bodies.position[j], radii, bodies.velocity[j] - bodies.velocity[i]);
             contacts_.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), static_cast<std::uint32_t>(i), j,
-                                 pair.normal, pair.gap, 0.0, 0.0});
+                                 g.normal, g.gap, 0.0, 0.0});
         }
         for (const std::uint32_t w : candidates.walls(i)) {
             const WallFrame& frame = candidates.wall_frames()[w];
@@ -130,7 +139,7 @@ void NearContacts::collect(const Scene& scene, const State& state, const Candida
 }
 
 std::size_t NearContacts::bytes() const {
-    return (push_.capacity() + wider_.capacity() + gap_.capacity()) * sizeof(double) +
+    return (push_.capacity() + wider_.capacity() + gap_.capacity()) * sizeof(double) + near_.capacity() * sizeof(NearPair) +
            contacts_.capacity() * sizeof(Contact);
 }
 

@@ -15,7 +15,7 @@ class NearContacts {
   public:
     // Contacts in order of key, gaps exact at the end of the step; `bias` and `friction` are 0. A body may be pushed as
     // far as its deepest overlap d_i, or one of those whom it may be pushed into; a pair is near if its gap is below
-    // d_i + d_j. Overlaps at round-off push nobody; if there are no others the set is empty.
+    // d_i + d_j. Overlaps below 1e-4 of the diameter push nobody; if there are no others the set is empty.
     const ContactSet& find(const Scene& scene, const State& state, double step, CandidateList& candidates);
     // The overlaps that are in no contact of the set.
     struct Shallow {
@@ -29,13 +29,18 @@ class NearContacts {
     std::size_t bytes() const;
 
   private:
-    void widen(const Bodies& bodies, const CandidateList& candidates);
+    void widen(const Bodies& bodies);
     void add_shallow(double depth, double diameter);
     void measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates);
     void collect(const Scene& scene, const State& state, const CandidateList& candidates);
 
     std::vector<double> push_, wider_;  // [m] d_i, n
     std::vector<double> gap_;           // [m] of each pair of the list, in its order
+    struct NearPair {
+        std::uint32_t a, b;  // a < b
+        double gap;          // [m]
+    };
+    std::vector<NearPair> near_;  // those that the deepest push could close, in order
     ContactSet contacts_;
     Shallow shallow_;
 };

@@ -10,6 +10,8 @@ namespace {
 
 // Sweeps end when none moves a contact by more than this share of the smallest diameter.
 constexpr double kSettled = 1e-4;
+// Deep overlaps are those of impacts: all of them goes at once, but for this share of the diameter.
+constexpr double kMostLeft = 3e-3;
 
 }  // namespace
 
@@ -28,7 +30,8 @@ void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bod
             batch.a[i] = layout_.line(c.a);
             batch.b[i] = c.key.is_wall() ? kGround : layout_.line(c.b);
             for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
-            batch.bias[i] = c.gap < 0.0 ? share * c.gap : c.gap;
+            const double most_left = kMostLeft * contact::NearContacts::diameter(c, bodies);
+            batch.bias[i] = c.gap < 0.0 ? std::min(share * c.gap, c.gap + most_left) : c.gap;
             batch.inverse_w[i] = 1.0 / (line_[batch.a[i]].inverse_mass + line_[batch.b[i]].inverse_mass);
         }
     }
