@@ -1,7 +1,9 @@
 // Bodies as arrays, in order of id. An array that the plan leaves out is empty.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -19,8 +21,14 @@ struct Bodies {
     std::vector<Vec3> velocity;           // [m/s], n
     std::vector<Vec3> spin;               // [rad/s], n, world frame; empty when every friction coefficient is 0
     std::vector<Quat> orientation;        // n; empty unless an output asks for it
+    // n: 1 where the body belongs to another rank, which counts and writes it; empty when all bodies are this rank's.
+    std::vector<std::uint8_t> ghost;
 
-    std::size_t size() const { return id.size(); }
+    std::size_t size() const { return id.size(); }  // own and ghosts
+    bool is_ghost(std::size_t i) const { return !ghost.empty() && ghost[i] != 0; }
+    std::size_t owned() const {
+        return size() - static_cast<std::size_t>(std::count(ghost.begin(), ghost.end(), std::uint8_t{1}));
+    }
     bool has_spin() const { return !spin.empty(); }
     bool has_orientation() const { return !orientation.empty(); }
 

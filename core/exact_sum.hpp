@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace scree {
 
@@ -51,6 +52,9 @@ class ExactSum {
         }
         return negative ? -sum : sum;
     }
+
+    // What ranks add up, digit by digit.
+    std::span<std::int64_t> digits() { return digits_; }
 
   private:
     static constexpr std::size_t kDigits = 68;  // 2098 bits and room for carries

@@ -45,6 +45,8 @@ struct State {
     double time = 0.0;          // [s]
     std::uint64_t step = 0;     // scenario steps done (a cut step counts once)
     std::uint64_t next_id = 0;  // next free BodyId
+    double block_size = 0.0;    // [m] edge of the blocks that order the work; 0: not chosen yet
+    // Of this rank: its own bodies and, while a run goes on, the ghosts among them; likewise the impulses.
     Bodies bodies;
     WarmStart warm_start;
     std::vector<InletState> inlets;      // one an inlet
