@@ -47,16 +47,4 @@ class Stepper {
     std::unique_ptr<Impl> impl_;
 };
 
-// Sets the ledger's energies at the start of a run.
-void start_ledger(const Scene& scene, State& state);
-
-// Overlaps of the bodies as they stand, with each other and with the walls present at state.time: deeper than
-// `relative` of the smaller radius. For `check` and for a warning at the start.
-struct Overlap {
-    ContactKey key;
-    double depth;  // [m]
-    Vec3 point;
-};
-std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative);
-
 }  // namespace scree::solvers

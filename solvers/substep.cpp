@@ -19,21 +19,6 @@ void move(Bodies& bodies, double half) {
     }
 }
 
-struct Momentum {
-    Vec3 sum = Vec3::Zero();  // sum m v [N s]
-    double size = 0.0;        // sum m |v|
-    double mass = 0.0;
-};
-Momentum momentum_of(const Bodies& bodies) {
-    Momentum p;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        p.sum += bodies.mass[i] * bodies.velocity[i];
-        p.size += bodies.mass[i] * bodies.velocity[i].norm();
-        p.mass += bodies.mass[i];
-    }
-    return p;
-}
-
 }  // namespace
 
 template <class Law>
