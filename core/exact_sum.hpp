@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <limits>
 #include <span>
 
 namespace scree {
@@ -33,6 +32,12 @@ class ExactSum {
         digits_[digit] += sign * static_cast<std::int64_t>(static_cast<std::uint32_t>(wide));
         digits_[digit + 1] += sign * static_cast<std::int64_t>(static_cast<std::uint32_t>(wide >> 32));
         digits_[digit + 2] += sign * static_cast<std::int64_t>(static_cast<std::uint32_t>(wide >> 64));
+    }
+    void add_any(double x) {
+        if (std::isfinite(x))
+            add(x);
+        else
+            add_not_finite();
     }
     // whole * 2^exponent, exponent in [-1074, 1000].
     void add(std::int64_t whole, int exponent) {
