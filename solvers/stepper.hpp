@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "core/contact_record.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "core/step_report.hpp"
+#include "solvers/rank_report.hpp"
 
 namespace scree::solvers {
 
@@ -26,8 +28,13 @@ struct WallLoad {
 
 class Stepper {
   public:
-    Stepper(const Scene& scene, const Plan& plan);
+    // `ranks` must outlive the stepper. All functions that take a state are collective.
+    Stepper(const Scene& scene, const Plan& plan, const Communicator& ranks = Communicator::self());
     ~Stepper();
+
+    // Before the first step and the first look at bodies by measures: bodies, which may lie on any ranks, go to where
+    // they belong. Does nothing with one rank, or when it was done; advance() does it too.
+    void start(State& state);
 
     // One scenario step: from state.time to state.time + time.step, cut into substeps when bodies are too fast. Adds to
     // state.totals and to the ledger; inlets and outlets act at its end. Throws PhysicsError on non-finite velocities.
@@ -38,6 +45,12 @@ class Stepper {
     const std::vector<ContactRecord>& contacts() const;
     const std::vector<WallLoad>& wall_loads() const;  // one a wall
     double last_step() const;                         // [s] length of the last scenario step
+
+    // Impulses of the last step that this rank solved, in order of key; over all ranks they are disjoint. For
+    // checkpoints.
+    WarmStart own_impulses(const State& state) const;
+    // What this rank has and did so far, as a part of many.
+    RankReport rank_report(const State& state) const;
 
     // Bytes held by the stepper's own arrays (not the state's).
     std::size_t bytes() const;
