@@ -20,12 +20,13 @@ namespace scree::contact {
 // Depths of overlaps, added as integers of 2^-40 of a block: no order and no split over ranks changes a bit.
 class OverlapSums {
   public:
-    explicit OverlapSums(double block_size = 1.0) : unit_(std::ilogb(block_size) - 40) {}
+    explicit OverlapSums(double block_size = 1.0)
+        : unit_(std::ldexp(1.0, std::ilogb(block_size) - 40)), per_unit_(1.0 / unit_) {}
     void add(double depth, double diameter) {
         if (depth <= 0.0) return;
         ++count_;
-        sum_ += std::llrint(std::ldexp(depth, -unit_));
-        relative_ += std::llrint(std::ldexp(depth / diameter, 40));
+        sum_ += std::llrint(depth * per_unit_);
+        relative_ += std::llrint(depth / diameter * kPerOne);
         max_ = std::max(max_, depth);
         max_relative_ = std::max(max_relative_, depth / diameter);
     }
@@ -37,12 +38,13 @@ class OverlapSums {
         ranks.sum(std::span<std::uint64_t>(sums));
         ranks.max(std::span<double>(most));
         const auto count = static_cast<double>(std::max<std::uint64_t>({sums[0], sums[3], 1}));
-        return {most[0], std::ldexp(static_cast<double>(sums[1]), unit_) / count, most[1],
-                std::ldexp(static_cast<double>(sums[2]), -40) / count};
+        return {most[0], unit_ * static_cast<double>(sums[1]) / count, most[1],
+                static_cast<double>(sums[2]) / kPerOne / count};
     }
 
   private:
-    int unit_;
+    static constexpr double kPerOne = 0x1p40;
+    double unit_, per_unit_;  // [m], [1/m]
     std::uint64_t count_ = 0;
     std::int64_t sum_ = 0, relative_ = 0;
     double max_ = 0.0, max_relative_ = 0.0;
