@@ -5,7 +5,7 @@
 #include "io/scenario/diagnostics.hpp"
 #include "io/scenario/scenario_reader.hpp"
 #include "scenarios/build.hpp"
-#include "solvers/stepper.hpp"
+#include "solvers/energy.hpp"
 
 namespace scree::app {
 namespace {

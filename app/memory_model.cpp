@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/state.hpp"
+#include "solvers/energy.hpp"
 #include "solvers/stepper.hpp"
 
 namespace scree::app {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/human_text.hpp"
-#include "solvers/stepper.hpp"
+#include "solvers/find_overlaps.hpp"
 
 namespace scree::app {
 namespace {

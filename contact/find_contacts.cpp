@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "contact/contact_home.hpp"
 #include "contact/laws/impact.hpp"
 #include "contact/sphere_sphere.hpp"
 #include "contact/walls/wall_contact.hpp"
@@ -16,7 +17,8 @@ constexpr double kTouch = 1e-10;
 
 }  // namespace
 
-void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin) {
+void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin,
+                     const Communicator& ranks) {
     const Bodies& bodies = state.bodies;
     margin.resize(bodies.size());
     const double half = 0.5 * times.step * std::max(1.0, scene.solver.look_ahead);
@@ -27,12 +29,12 @@ void contact_margins(const Scene& scene, const State& state, const StepTimes& ti
         sum += margin[i] + bodies.position[i].sum();
     }
     // no grid can hold what is nowhere
-    if (!std::isfinite(sum))
+    if (ranks.any(!std::isfinite(sum)))
         throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
 }
 
 void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,
-                   ContactSet& contacts) {
+                   const Domain& domain, ContactSet& contacts) {
     const Bodies& bodies = state.bodies;
     const double h = times.step;
     const Vec3 gravity = scene.gravity.at(times.middle());
@@ -40,6 +42,9 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
     const double look = 0.5 * h * scene.solver.look_ahead;
     const std::vector<WallFrame>& frame = candidates.wall_frames();
     contacts.clear();
+    const auto keep_if_own = [&] {
+        if (!domain.alone() && !solved_here(contacts.back(), state, domain)) contacts.pop_back();
+    };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& x = bodies.position[i];
         const double radius = bodies.radius[i];
@@ -61,6 +66,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
             if (!impact_law({pair.gap, approach, approach, law.restitution, touch, reach}, step, bias)) continue;
             contacts.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), static_cast<std::uint32_t>(i), j,
                                 pair.normal, pair.gap, law.friction, bias});
+            keep_if_own();
         }
         for (const std::uint32_t w : candidates.walls(i)) {
             if (!frame[w].present) continue;
@@ -84,6 +90,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
                     continue;
                 contacts.push_back({ContactKey::wall(bodies.id[i], WallIndex{w}, c.feature),
                                     static_cast<std::uint32_t>(i), w, normal, c.gap, law.friction, bias});
+                keep_if_own();
             }
         }
     }

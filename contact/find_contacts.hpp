@@ -3,6 +3,7 @@
 
 #include "contact/candidate_list.hpp"
 #include "contact/contact_set.hpp"
+#include "core/parallel/domain.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
@@ -16,11 +17,13 @@ struct StepTimes {
 };
 
 // How far each body can close a gap in half a step [m]: look_ahead * (h/2) (|v| + h |g|), at least with look_ahead 1.
-void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin);
+// Throws PhysicsError if a position or velocity, on any rank, is not finite.
+void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin,
+                     const Communicator& ranks = Communicator::self());
 
 // `state.bodies.position` holds q_m, `velocity` and `spin` are those at the start of the step.
-// `candidates` were updated for this step. Contacts come out in order of key.
+// `candidates` were updated for this step. Contacts come out in order of key, on each rank those that it solves.
 void find_contacts(const Scene& scene, const State& state, const StepTimes& times, const CandidateList& candidates,
-                   ContactSet& contacts);
+                   const Domain& domain, ContactSet& contacts);
 
 }  // namespace scree::contact

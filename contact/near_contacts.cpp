@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_home.hpp"
 #include "contact/sphere_sphere.hpp"
 
 namespace scree::contact {
 namespace {
 
-constexpr double kNegligible = 1e-4;   // of the diameter: shallower overlaps push nobody
-constexpr int kRings = 2;              // of neighbours that a push may reach
-constexpr double kMostPush = 0.5;      // of the radius: deeper overlaps take several steps
+constexpr double kNegligible = 1e-4;  // of the diameter: shallower overlaps push nobody
+constexpr int kRings = 2;             // of neighbours that a push may reach
+constexpr double kMostPush = 0.5;     // of the radius: deeper overlaps take several steps
 
 }  // namespace
 
@@ -22,11 +23,9 @@ double NearContacts::diameter(const Contact& contact, const Bodies& bodies) {
 void NearContacts::measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates) {
     const Bodies& bodies = state.bodies;
     gap_.clear();
-    double deepest = 0.0;
     const auto deepen = [&](std::size_t i, double gap, double diameter) {
         if (-gap <= kNegligible * diameter) return;
         push_[i] = std::max(push_[i], std::min(-gap, kMostPush * bodies.radius[i]));
-        deepest = std::max(deepest, push_[i]);
     };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (const std::uint32_t j : candidates.partners(i)) {
@@ -47,7 +46,11 @@ void NearContacts::measure_gaps(const Scene& scene, const State& state, const Ca
                 deepen(i, found.item[static_cast<std::size_t>(k)].gap, 2.0 * bodies.radius[i]);
         }
     }
-    // no push is wider than the deepest
+}
+
+// No push is wider than the deepest.
+void NearContacts::list_near(const Bodies& bodies, const CandidateList& candidates) {
+    const double deepest = push_.empty() ? 0.0 : *std::max_element(push_.begin(), push_.end());
     near_.clear();
     const double* gap = gap_.data();
     for (std::uint32_t i = 0; i < bodies.size(); ++i)
@@ -57,24 +60,36 @@ void NearContacts::measure_gaps(const Scene& scene, const State& state, const Ca
         }
 }
 
-const ContactSet& NearContacts::find(const Scene& scene, const State& state, double step, CandidateList& candidates) {
-    const std::size_t n = state.bodies.size();
+const ContactSet& NearContacts::find(const Scene& scene, State& state, double step, CandidateList& candidates,
+                                     Domain& domain) {
     contacts_.clear();
-    shallow_ = {};
-    // every overlap is in the list as long as the list holds what touches
-    push_.assign(n, 0.0);
-    candidates.update_at_end(scene, state, step, push_);
-    measure_gaps(scene, state, candidates);
-    if (std::all_of(push_.begin(), push_.end(), [](double d) { return d == 0.0; })) {
-        collect(scene, state, candidates);
-        return contacts_;
+    shallow_ = OverlapSums(state.block_size > 0.0 ? state.block_size : 1.0);
+    const auto look = [&] {
+        // every overlap is in the list as long as the list holds what touches
+        push_.assign(state.bodies.size(), 0.0);
+        candidates.update_at_end(scene, state, step, push_);
+        measure_gaps(scene, state, candidates);
+        domain.halo().max_over_holders(push_);
+        if (!domain.ranks().any(std::any_of(push_.begin(), push_.end(), [](double d) { return d > 0.0; }))) {
+            list_near(state.bodies, candidates);
+            return;
+        }
+        for (int ring = 0; ring <= kRings; ++ring) {
+            // a wider push needs a wider list; what is measured again is the same
+            if (candidates.update_at_end(scene, state, step, push_)) measure_gaps(scene, state, candidates);
+            list_near(state.bodies, candidates);
+            if (ring == kRings) break;
+            widen(state.bodies);
+            domain.halo().max_over_holders(push_);
+        }
+    };
+    look();
+    // pushes beyond what the halo covers: bodies are exchanged, and all is looked for again
+    while (domain.cover(state, push_, step)) {
+        candidates.invalidate();
+        look();
     }
-    for (int ring = 0; ring <= kRings; ++ring) {
-        // a wider push needs a wider list; what is measured again is the same
-        if (candidates.update_at_end(scene, state, step, push_)) measure_gaps(scene, state, candidates);
-        if (ring < kRings) widen(state.bodies);
-    }
-    collect(scene, state, candidates);
+    collect(scene, state, candidates, domain);
     return contacts_;
 }
 
@@ -91,17 +106,16 @@ void NearContacts::widen(const Bodies& bodies) {
     push_.swap(wider_);
 }
 
-void NearContacts::add_shallow(double depth, double diameter) {
-    if (depth <= 0.0) return;
-    ++shallow_.count;
-    shallow_.sum += depth;
-    shallow_.sum_relative += depth / diameter;
-    shallow_.max = std::max(shallow_.max, depth);
-    shallow_.max_relative = std::max(shallow_.max_relative, depth / diameter);
-}
-
-void NearContacts::collect(const Scene& scene, const State& state, const CandidateList& candidates) {
+void NearContacts::collect(const Scene& scene, const State& state, const CandidateList& candidates,
+                           const Domain& domain) {
     const Bodies& bodies = state.bodies;
+    const auto add = [&](const Contact& contact, bool shallow, double diameter) {
+        if (!domain.alone() && !solved_here(contact, state, domain)) return;
+        if (shallow)
+            shallow_.add(-contact.gap, diameter);
+        else
+            contacts_.push_back(contact);
+    };
     auto pair = near_.begin();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Vec3& x = bodies.position[i];
@@ -111,13 +125,14 @@ void NearContacts::collect(const Scene& scene, const State& state, const Candida
             const double reach = push_[i] + push_[j];
             if (pair->gap >= reach) continue;
             const double radii = radius + bodies.radius[j];
-            if (reach == 0.0) {
-                add_shallow(-pair->gap, radii);
+            if (reach == 0.0 && domain.alone()) {
+                shallow_.add(-pair->gap, radii);
                 continue;
             }
             const SphereGap g = sphere_sphere(x, bodies.position[j], radii, bodies.velocity[j] - bodies.velocity[i]);
-            contacts_.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), static_cast<std::uint32_t>(i), j,
-                                 g.normal, g.gap, 0.0, 0.0});
+            add({ContactKey::bodies(bodies.id[i], bodies.id[j]), static_cast<std::uint32_t>(i), j, g.normal, g.gap, 0.0,
+                 0.0},
+                reach == 0.0, radii);
         }
         for (const std::uint32_t w : candidates.walls(i)) {
             const WallFrame& frame = candidates.wall_frames()[w];
@@ -126,21 +141,18 @@ void NearContacts::collect(const Scene& scene, const State& state, const Candida
             find_contacts(scene.walls[w].shape, frame.moves ? frame.pose.to_local(x) : x, radius, push_[i], found);
             for (int k = 0; k < found.count; ++k) {
                 const WallContact& c = found.item[static_cast<std::size_t>(k)];
-                if (push_[i] == 0.0) {
-                    add_shallow(std::max(0.0, -c.gap), 2.0 * radius);
-                    continue;
-                }
                 const Vec3 normal = frame.moves ? Vec3(frame.pose.rotation * c.normal) : c.normal;
-                contacts_.push_back({ContactKey::wall(bodies.id[i], WallIndex{w}, c.feature),
-                                     static_cast<std::uint32_t>(i), w, normal, c.gap, 0.0, 0.0});
+                add({ContactKey::wall(bodies.id[i], WallIndex{w}, c.feature), static_cast<std::uint32_t>(i), w, normal,
+                     c.gap, 0.0, 0.0},
+                    push_[i] == 0.0, 2.0 * radius);
             }
         }
     }
 }
 
 std::size_t NearContacts::bytes() const {
-    return (push_.capacity() + wider_.capacity() + gap_.capacity()) * sizeof(double) + near_.capacity() * sizeof(NearPair) +
-           contacts_.capacity() * sizeof(Contact);
+    return (push_.capacity() + wider_.capacity() + gap_.capacity()) * sizeof(double) +
+           near_.capacity() * sizeof(NearPair) + contacts_.capacity() * sizeof(Contact);
 }
 
 }  // namespace scree::contact

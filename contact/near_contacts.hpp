@@ -2,37 +2,72 @@
 // push the overlapping bodies.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/candidate_list.hpp"
 #include "contact/contact_set.hpp"
+#include "core/parallel/domain.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
+#include "core/step_report.hpp"
 
 namespace scree::contact {
+
+// Depths of overlaps, added as integers of 2^-40 of a block: no order and no split over ranks changes a bit.
+class OverlapSums {
+  public:
+    explicit OverlapSums(double block_size = 1.0)
+        : unit_(std::ldexp(1.0, std::ilogb(block_size) - 40)), per_unit_(1.0 / unit_) {}
+    void add(double depth, double diameter) {
+        if (depth <= 0.0) return;
+        ++count_;
+        sum_ += std::llrint(depth * per_unit_);
+        relative_ += std::llrint(depth / diameter * kPerOne);
+        max_ = std::max(max_, depth);
+        max_relative_ = std::max(max_relative_, depth / diameter);
+    }
+    // Of all ranks; `closed`: contacts of this rank that carried an impulse, over which means are taken.
+    Penetration over(const Communicator& ranks, std::size_t closed) const {
+        std::uint64_t sums[4] = {count_, static_cast<std::uint64_t>(sum_), static_cast<std::uint64_t>(relative_),
+                                 closed};
+        double most[2] = {max_, max_relative_};
+        ranks.sum(std::span<std::uint64_t>(sums));
+        ranks.max(std::span<double>(most));
+        const auto count = static_cast<double>(std::max<std::uint64_t>({sums[0], sums[3], 1}));
+        return {most[0], unit_ * static_cast<double>(sums[1]) / count, most[1],
+                static_cast<double>(sums[2]) / kPerOne / count};
+    }
+
+  private:
+    static constexpr double kPerOne = 0x1p40;
+    double unit_, per_unit_;  // [m], [1/m]
+    std::uint64_t count_ = 0;
+    std::int64_t sum_ = 0, relative_ = 0;
+    double max_ = 0.0, max_relative_ = 0.0;
+};
 
 class NearContacts {
   public:
     // Contacts in order of key, gaps exact at the end of the step; `bias` and `friction` are 0. A body may be pushed as
     // far as its deepest overlap d_i, or one of those whom it may be pushed into; a pair is near if its gap is below
     // d_i + d_j. Overlaps below 1e-4 of the diameter push nobody; if there are no others the set is empty.
-    const ContactSet& find(const Scene& scene, const State& state, double step, CandidateList& candidates);
-    // The overlaps that are in no contact of the set.
-    struct Shallow {
-        std::size_t count = 0;
-        double max = 0.0, sum = 0.0;                    // [m]
-        double max_relative = 0.0, sum_relative = 0.0;  // of the diameter
-    };
-    const Shallow& shallow() const { return shallow_; }
+    // On each rank those that it solves. Collective; bodies may be exchanged, which changes indices.
+    const ContactSet& find(const Scene& scene, State& state, double step, CandidateList& candidates, Domain& domain);
+    // The overlaps of this rank that are in no contact of the set.
+    const OverlapSums& shallow() const { return shallow_; }
     // Of a body a with contact (a, b): the diameter that penetration is compared with [m].
     static double diameter(const Contact& contact, const Bodies& bodies);
     std::size_t bytes() const;
 
   private:
     void widen(const Bodies& bodies);
-    void add_shallow(double depth, double diameter);
+    void list_near(const Bodies& bodies, const CandidateList& candidates);
     void measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates);
-    void collect(const Scene& scene, const State& state, const CandidateList& candidates);
+    void collect(const Scene& scene, const State& state, const CandidateList& candidates, const Domain& domain);
 
     std::vector<double> push_, wider_;  // [m] d_i, n
     std::vector<double> gap_;           // [m] of each pair of the list, in its order
@@ -42,7 +77,7 @@ class NearContacts {
     };
     std::vector<NearPair> near_;  // those that the deepest push could close, in order
     ContactSet contacts_;
-    Shallow shallow_;
+    OverlapSums shallow_;
 };
 
 }  // namespace scree::contact

@@ -3,20 +3,26 @@
 // order of work and no number of ranks can change a bit.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace scree {
 
 class ExactSum {
   public:
-    // `x` must be finite.
+    // With a term that is not finite the sum is not a number.
     void add(double x) {
         const auto bits = std::bit_cast<std::uint64_t>(x);
         const auto exponent = static_cast<int>((bits >> 52) & 0x7ff);
+        if (exponent == 0x7ff) {
+            ++digits_[kDigits];
+            return;
+        }
         std::uint64_t mantissa = bits & 0xfffffffffffffULL;
         if (exponent != 0) mantissa |= std::uint64_t{1} << 52;
         const int position = exponent == 0 ? 0 : exponent - 1;  // of the lowest bit, above 2^-1074
@@ -27,12 +33,30 @@ class ExactSum {
         digits_[digit + 1] += sign * static_cast<std::int64_t>(static_cast<std::uint32_t>(wide >> 32));
         digits_[digit + 2] += sign * static_cast<std::int64_t>(static_cast<std::uint32_t>(wide >> 64));
     }
+    void add_any(double x) {
+        if (std::isfinite(x))
+            add(x);
+        else
+            add_not_finite();
+    }
+    // whole * 2^exponent, exponent in [-1074, 1000].
+    void add(std::int64_t whole, int exponent) {
+        const int position = exponent + 1074;
+        const auto digit = static_cast<std::size_t>(position / 32);
+        const __int128 wide = static_cast<__int128>(whole) << (position % 32);
+        digits_[digit] += static_cast<std::int64_t>(static_cast<std::uint32_t>(wide));
+        digits_[digit + 1] += static_cast<std::int64_t>(static_cast<std::uint32_t>(wide >> 32));
+        digits_[digit + 2] += static_cast<std::int64_t>(wide >> 64);  // with the sign
+    }
+    // A term that is infinite or not a number: the sum is not a number.
+    void add_not_finite() { digits_[kDigits] += 1; }
     void add(const ExactSum& other) {
-        for (std::size_t i = 0; i < kDigits; ++i) digits_[i] += other.digits_[i];
+        for (std::size_t i = 0; i < digits_.size(); ++i) digits_[i] += other.digits_[i];
     }
     // The sum as a double: carried into its one canonical form first, so equal sums give equal bits.
     double value() const {
-        std::array<std::int64_t, kDigits> d = digits_;
+        if (digits_[kDigits] != 0) return std::numeric_limits<double>::quiet_NaN();
+        std::array<std::int64_t, kDigits + 1> d = digits_;
         const auto carry_up = [&d] {
             for (std::size_t i = 0; i + 1 < kDigits; ++i) {
                 const std::int64_t carry = d[i] >> 32;  // floor: digits below the top end in [0, 2^32)
@@ -57,8 +81,8 @@ class ExactSum {
     std::span<std::int64_t> digits() { return digits_; }
 
   private:
-    static constexpr std::size_t kDigits = 68;  // 2098 bits and room for carries
-    std::array<std::int64_t, kDigits> digits_{};
+    static constexpr std::size_t kDigits = 68;        // 2098 bits and room for carries
+    std::array<std::int64_t, kDigits + 1> digits_{};  // the last: how many terms were not finite
 };
 
 }  // namespace scree

@@ -15,10 +15,12 @@ struct Meeting {
 };
 
 // Bodies with bodies (a material meets itself only if there are two bodies of it), and bodies with walls.
-std::vector<Meeting> meetings(const Scene& scene, const Bodies& bodies) {
+std::vector<Meeting> meetings(const Scene& scene, const Bodies& bodies, const Communicator& ranks) {
     const std::size_t n = scene.materials.size();
-    std::vector<std::size_t> count(n, 0);
-    for (MaterialIndex m : bodies.material) ++count[raw(m)];
+    std::vector<std::uint64_t> count(n, 0);
+    for (std::size_t i = 0; i < bodies.material.size(); ++i)
+        if (!bodies.is_ghost(i)) ++count[raw(bodies.material[i])];
+    ranks.sum(count);
     for (const Inlet& inlet : scene.inlets) count[raw(inlet.material)] += 2;
     std::vector<bool> wall(n, false);
     for (const Wall& w : scene.walls) wall[raw(w.material)] = true;
@@ -51,14 +53,14 @@ Largest largest(const Scene& scene, const std::vector<Meeting>& meetings, double
     return result;
 }
 
-void decide_laws(Plan& plan, const Scene& scene, const Bodies& bodies) {
-    const std::vector<Meeting> meet = meetings(scene, bodies);
+void decide_laws(Plan& plan, const Scene& scene, const Bodies& bodies, const Communicator& ranks) {
+    const std::vector<Meeting> meet = meetings(scene, bodies, ranks);
     const Largest mu = largest(scene, meet, &PairLaw::friction);
     const Largest e = largest(scene, meet, &PairLaw::restitution);
     plan.restitution = e.value > 0.0;
     // A checkpoint of a run with friction carries spins: the run goes on as it began, even if the bodies that had
     // friction are gone.
-    plan.friction = mu.value > 0.0 || bodies.has_spin();
+    plan.friction = mu.value > 0.0 || ranks.any(bodies.has_spin());
 
     const auto add = [&](const char* feature, bool on, std::string reason) {
         plan.lines.push_back({feature, on, std::move(reason)});
@@ -140,9 +142,9 @@ void decide_method(Plan& plan, const Scene& scene) {
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const Bodies& bodies) {
+Plan make_plan(const Scene& scene, const Bodies& bodies, const Communicator& ranks) {
     Plan plan;
-    decide_laws(plan, scene, bodies);
+    decide_laws(plan, scene, bodies, ranks);
     decide_outputs(plan, scene);
     decide_surroundings(plan, scene);
     decide_method(plan, scene);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 
@@ -31,7 +32,8 @@ struct Plan {
     std::size_t bytes_per_contact = 0;
 };
 
-// Looks at the scene and at the materials that the bodies have. A material that only an inlet makes counts too.
-Plan make_plan(const Scene& scene, const Bodies& bodies);
+// Looks at the scene and at the materials that the bodies of all ranks have. A material that only an inlet makes counts
+// too.
+Plan make_plan(const Scene& scene, const Bodies& bodies, const Communicator& ranks = Communicator::self());
 
 }  // namespace scree

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "scenarios/shared_text.hpp"
+
 namespace scree::scenarios {
 namespace {
 
@@ -27,31 +29,48 @@ bool is_blank(char c) {
 // Reads one file; a fault is reported once, and the line passed over.
 class Reader {
   public:
-    Reader(const Context& context, std::string path, std::string text, std::vector<Column> columns, double scale,
-           MaterialIndex material)
+    // Keeps the bodies whose lines begin inside `part`, counted in bytes of the file.
+    Reader(const Context& context, std::string path, std::vector<Column> columns, const Part& part, double scale,
+           MaterialIndex material, const Vec3& offset)
         : context_(context),
           path_(std::move(path)),
-          text_(std::move(text)),
           columns_(std::move(columns)),
+          part_(part),
           scale_(scale),
-          material_(material) {}
+          material_(material) {
+        file_.offset = offset;
+    }
 
-    BodyFile read() {
-        const std::string_view text = text_;
+    // Piece after piece; false when there are so many faults that no more will be read.
+    bool read(std::string_view text) {
         for (std::size_t begin = 0; begin < text.size() && faults_ < kMostFaults;) {
             const std::size_t end = std::min(text.find('\n', begin), text.size());
             ++line_;
+            kept_ = part_.has(read_ + begin);
             read_line(text.substr(begin, end - begin));
             begin = end + 1;
         }
+        read_ += text.size();
+        return faults_ < kMostFaults;
+    }
+    BodyFile finish() {
         if (faults_ >= kMostFaults) fault(1, "further faults of this file are not shown");
+        if (faults_ > 0) context_.diagnostics.add_source(path_, lines_read());
         return std::move(file_);
     }
 
   private:
     void fault(std::size_t column, const std::string& message) {
-        if (faults_++ == 0) context_.diagnostics.add_source(path_, text_);
+        ++faults_;
         context_.diagnostics.error({path_, line_, static_cast<int>(column)}, message);
+    }
+
+    // Once more from the file, for messages that show the lines with faults.
+    std::string lines_read() const {
+        std::ifstream stream(path_, std::ios::binary);
+        std::string text, line;
+        for (int i = 0; i < line_ && std::getline(stream, line); ++i) text += line + '\n';
+        return text;
     }
 
     void read_line(std::string_view line) {
@@ -116,9 +135,17 @@ class Reader {
     void add(const std::array<double, kNumbers>& number, MaterialIndex material) {
         const auto get = [&](Column c) { return number[static_cast<std::size_t>(c)]; };
         // Of r and d one is a column, the other is 0.
-        file_.radius.push_back(scale_ * (get(Column::r) + 0.5 * get(Column::d)));
+        const double radius = scale_ * (get(Column::r) + 0.5 * get(Column::d));
+        const Vec3 position = scale_ * Vec3(get(Column::x), get(Column::y), get(Column::z));
+        const Vec3 absolute = position + file_.offset, reach = Vec3::Constant(radius);
+        file_.lower = file_.lower.cwiseMin(absolute - reach);
+        file_.upper = file_.upper.cwiseMax(absolute + reach);
+        const std::uint64_t row = file_.bodies++;
+        if (!kept_) return;
+        file_.row.push_back(row);
+        file_.radius.push_back(radius);
         file_.material.push_back(material);
-        file_.position.emplace_back(scale_ * Vec3(get(Column::x), get(Column::y), get(Column::z)));
+        file_.position.push_back(position);
         file_.velocity.emplace_back(get(Column::vx), get(Column::vy), get(Column::vz));
         file_.spin.emplace_back(get(Column::wx), get(Column::wy), get(Column::wz));
     }
@@ -130,12 +157,15 @@ class Reader {
     }
 
     const Context& context_;
-    std::string path_, text_;
+    std::string path_;
     std::vector<Column> columns_;
+    Part part_;
     double scale_;
     MaterialIndex material_;
     BodyFile file_;
+    std::uint64_t read_ = 0;  // [bytes] of the pieces before this one
     int line_ = 0;
+    bool kept_ = true;  // the body of this line
     std::size_t faults_ = 0;
 };
 
@@ -175,7 +205,7 @@ std::string resolve(const io::Node& path, const Context& context) {
 
 }  // namespace
 
-BodyFile read_body_file(const io::Node& node, const Context& context) {
+BodyFile read_body_file(const io::Node& node, const Context& context, const Communicator& ranks, bool whole) {
     const std::size_t before = context.errors();
     MaterialIndex material{};
     if (node.has("material")) material = context.material(node.at("material"));
@@ -184,22 +214,23 @@ BodyFile read_body_file(const io::Node& node, const Context& context) {
         context.error(node, "needs `material`, or a column that holds it");
 
     const std::string path = resolve(node.at("path"), context);
-    std::ifstream stream(path, std::ios::binary | std::ios::ate);
-    const bool is_file = stream && std::filesystem::is_regular_file(path);
-    if (!is_file) context.error(node.at("path"), fmt::format("cannot read '{}'", path));
+    SharedText text(path, ranks);
+    if (!text.is_file()) context.error(node.at("path"), fmt::format("cannot read '{}'", path));
     if (context.errors() != before) return {};
 
-    std::string text(static_cast<std::size_t>(stream.tellg()), '\0');
-    stream.seekg(0);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream) {
+    const Communicator& sharing = whole ? Communicator::self() : ranks;
+    Part part(text.size(), sharing);
+    if (sharing.rank() + 1 == sharing.size())
+        part.end = std::numeric_limits<std::uint64_t>::max();  // it may have grown
+    Reader reader(context, path, std::move(columns), part, number_or(node, "scale", 1.0), material,
+                  vector_or(node, "offset", Vec3::Zero()));
+    for (std::string piece = text.next(); !piece.empty() && reader.read(piece);) piece = text.next();
+    if (text.failed()) {
         context.error(node.at("path"), fmt::format("'{}' could not be read to its end", path));
         return {};
     }
-    Reader reader(context, path, std::move(text), std::move(columns), number_or(node, "scale", 1.0), material);
-    BodyFile file = reader.read();
-    file.offset = vector_or(node, "offset", Vec3::Zero());
-    if (context.errors() == before && file.radius.empty()) {
+    BodyFile file = reader.finish();
+    if (context.errors() == before && file.bodies == 0) {
         context.error(node.at("path"), fmt::format("'{}' holds no bodies", path));
     }
     return file;
@@ -208,8 +239,10 @@ BodyFile read_body_file(const io::Node& node, const Context& context) {
 void add_file_bodies(const BodyFile& file, const Context& context, BodyList& bodies) {
     const Vec3 offset = file.offset - context.origin;
     for (std::size_t i = 0; i < file.radius.size(); ++i) {
-        bodies.add(file.radius[i], file.material[i], file.position[i] + offset, file.velocity[i], file.spin[i]);
+        bodies.add(bodies.next_id + file.row[i], file.radius[i], file.material[i], file.position[i] + offset,
+                   file.velocity[i], file.spin[i]);
     }
+    bodies.next_id += file.bodies;
 }
 
 }  // namespace scree::scenarios

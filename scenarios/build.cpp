@@ -17,10 +17,21 @@
 namespace scree::scenarios {
 namespace {
 
-std::vector<BodyFile> read_body_files(const io::Node& scenario, const Context& context) {
+// Random insertion keeps clear of all bodies before it: up to the last item of that kind each rank makes all of them.
+std::size_t made_whole(const io::Node& scenario) {
+    const io::Node::List& items = items_of(scenario, "bodies");
+    std::size_t whole = 0;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (items[i].text("generator") == "random") whole = i + 1;
+    return whole;
+}
+
+std::vector<BodyFile> read_body_files(const io::Node& scenario, const Context& context, const Communicator& ranks) {
     std::vector<BodyFile> files;
-    for (const io::Node& node : items_of(scenario, "bodies")) {
-        if (node.text("generator") == "file") files.push_back(read_body_file(node, context));
+    const io::Node::List& items = items_of(scenario, "bodies");
+    const std::size_t whole = made_whole(scenario);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].text("generator") == "file") files.push_back(read_body_file(items[i], context, ranks, i < whole));
     }
     return files;
 }
@@ -43,54 +54,76 @@ Context make_context(const io::Node& scenario, const std::string& folder, io::Di
     return context;
 }
 
+template <class T>
+void keep(const Part& part, std::vector<T>& values) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(part.end), values.end());
+    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(part.begin));
+    values.shrink_to_fit();
+}
+
+void keep_part(const Communicator& ranks, BodyList& bodies) {
+    if (ranks.alone()) return;
+    const Part part(bodies.size(), ranks);
+    keep(part, bodies.id);
+    keep(part, bodies.radius);
+    keep(part, bodies.material);
+    keep(part, bodies.position);
+    keep(part, bodies.velocity);
+    keep(part, bodies.spin);
+}
+
 BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, const Context& context,
-                  const Scene& scene) {
+                  const Scene& scene, const Communicator& ranks) {
     BodyList bodies;
     std::uint64_t stream = 0;
     auto file = files.begin();
+    const std::size_t whole = made_whole(scenario);
     for (const io::Node& node : items_of(scenario, "bodies")) {
         const std::string& generator = node.text("generator");
+        const Communicator& sharing = stream < whole ? Communicator::self() : ranks;
         if (generator == "sphere") {
-            generate_sphere(node, context, bodies);
+            generate_sphere(node, context, sharing, bodies);
         } else if (generator == "lattice") {
-            generate_lattice(node, stream, context, bodies);
+            generate_lattice(node, stream, context, sharing, bodies);
         } else if (generator == "random") {
             generate_random(node, stream, context, scene, bodies);
         } else {
             SCREE_CHECK(generator == "file" && file != files.end());
             add_file_bodies(*file++, context, bodies);
         }
-        ++stream;
+        if (++stream == whole) keep_part(ranks, bodies);
     }
     return bodies;
 }
 
-State make_state(BodyList list, const Scene& scene, const io::Node& scenario, const Context& context) {
+State make_state(BodyList list, const Scene& scene, const io::Node& scenario, const Context& context,
+                 const Communicator& ranks) {
     State state;
     Bodies& bodies = state.bodies;
-    const std::size_t n = list.size();
-    if (static_cast<double>(n) > kMostBodies) {
+    const std::uint64_t most = ranks.max(static_cast<std::uint64_t>(list.size()));
+    if (static_cast<double>(most) > kMostBodies) {
         context.error(scenario.at("bodies"),
-                      fmt::format("{} bodies are more than one run can hold ({:g})", n, kMostBodies));
+                      fmt::format("{} bodies are more than one rank can hold ({:g})", most, kMostBodies));
         return state;
     }
-    for (std::size_t i = 0; i < n; ++i) {
-        bodies.id.push_back(BodyId{i});
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        bodies.id.push_back(BodyId{list.id[i]});
         bodies.mass.push_back(Bodies::sphere_mass(list.radius[i], scene.materials[raw(list.material[i])].density));
     }
     bodies.radius = std::move(list.radius);
     bodies.material = std::move(list.material);
     bodies.position = std::move(list.position);
     bodies.velocity = std::move(list.velocity);
-    const Plan plan = make_plan(scene, bodies);
+    const Plan plan = make_plan(scene, bodies, ranks);
     if (plan.friction) {
         bodies.spin = std::move(list.spin);
-    } else if (std::any_of(list.spin.begin(), list.spin.end(), [](const Vec3& w) { return !w.isZero(0.0); })) {
+    } else if (ranks.any(
+                   std::any_of(list.spin.begin(), list.spin.end(), [](const Vec3& w) { return !w.isZero(0.0); }))) {
         context.warning(scenario.at("bodies"),
                         "the spin of bodies has no effect where nothing has friction, and is left out");
     }
-    if (plan.orientation) bodies.orientation.assign(n, Quat::Identity());
-    state.next_id = n;
+    if (plan.orientation) bodies.orientation.assign(bodies.size(), Quat::Identity());
+    state.next_id = list.next_id;
     state.inlets.resize(scene.inlets.size());
     state.outlets.resize(scene.outlets.size());
     state.measures.resize(scene.measures.size());
@@ -100,7 +133,7 @@ State make_state(BodyList list, const Scene& scene, const io::Node& scenario, co
 }  // namespace
 
 Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics,
-                  const std::optional<Vec3>& origin) {
+                  const std::optional<Vec3>& origin, const Communicator& ranks) {
     Context context = make_context(scenario, folder, diagnostics);
     Scene scene;
     build_materials(scenario, context, scene);
@@ -110,20 +143,22 @@ Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagn
     } else if (origin) {
         chosen = *origin;
     } else {
-        chosen = choose_origin(scenario, read_body_files(scenario, context));
+        chosen = choose_origin(scenario, read_body_files(scenario, context, ranks));
     }
     return build_in_frame(scenario, chosen, context, std::move(scene));
 }
 
-Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics) {
+Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics,
+            const Communicator& ranks) {
     Context context = make_context(scenario, folder, diagnostics);
     Scene scene;
     build_materials(scenario, context, scene);
-    const std::vector<BodyFile> files = read_body_files(scenario, context);
+    const std::vector<BodyFile> files = read_body_files(scenario, context, ranks);
     const Vec3 origin = scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, files);
     Built built;
     built.scene = build_in_frame(scenario, origin, context, std::move(scene));
-    built.state = make_state(generate(scenario, files, context, built.scene), built.scene, scenario, context);
+    built.state =
+        make_state(generate(scenario, files, context, built.scene, ranks), built.scene, scenario, context, ranks);
     return built;
 }
 

@@ -1,5 +1,8 @@
 // Generators: from an item of `bodies` to bodies. The random numbers of body k of generator i are those of
 // Random(seed, i, k), so that no body's size depends on any other body.
+//
+// On many ranks each makes a part of the bodies only, with the ids and the bits that one rank would give them: which
+// rank holds which body at the start is of no meaning, since the time step moves them to where they belong.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +10,33 @@
 #include <vector>
 
 #include "core/bodies.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "scenarios/context.hpp"
 
 namespace scree::scenarios {
 
-// Bodies as they come, without ids. Positions in the local frame.
+// A rank's part of n things in a row.
+struct Part {
+    std::uint64_t begin, end;
+
+    Part(std::uint64_t n, const Communicator& ranks)
+        : begin(n * static_cast<std::uint64_t>(ranks.rank()) / static_cast<std::uint64_t>(ranks.size())),
+          end(n * static_cast<std::uint64_t>(ranks.rank() + 1) / static_cast<std::uint64_t>(ranks.size())) {}
+    bool has(std::uint64_t k) const { return begin <= k && k < end; }
+};
+
+// Bodies as they come, those of this rank. Positions in the local frame.
 struct BodyList {
-    std::vector<double> radius;  // [m]
+    std::vector<std::uint64_t> id;  // increasing
+    std::vector<double> radius;     // [m]
     std::vector<MaterialIndex> material;
     std::vector<Vec3> position, velocity, spin;  // [m], [m/s], [rad/s]
+    std::uint64_t next_id = 0;                   // of the next generator's first body: the same on all ranks
 
     std::size_t size() const { return radius.size(); }
-    void add(double r, MaterialIndex m, const Vec3& x, const Vec3& v, const Vec3& w) {
+    void add(std::uint64_t i, double r, MaterialIndex m, const Vec3& x, const Vec3& v, const Vec3& w) {
+        id.push_back(i);
         radius.push_back(r);
         material.push_back(m);
         position.push_back(x);
@@ -28,12 +45,16 @@ struct BodyList {
     }
 };
 
-// More bodies than a LocalBody can count are refused.
+// More bodies than a LocalBody can count are refused, on each rank.
 inline constexpr double kMostBodies = 4294967295.0;
 
-void generate_sphere(const io::Node& node, const Context& context, BodyList& bodies);
-void generate_lattice(const io::Node& node, std::uint64_t stream, const Context& context, BodyList& bodies);
-// Keeps clear of the bodies already in the list and of the walls that are there at time 0.
+// `ranks` share what is made: each calls the generator and gets its part.
+void generate_sphere(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
+void generate_lattice(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
+                      BodyList& bodies);
+// Keeps clear of the bodies already in the list and of the walls that are there at time 0. Each place depends on all
+// that were taken before, so the list must be whole, and all bodies are made: on many ranks each does all the work and
+// holds the bodies of the whole region for a while.
 void generate_random(const io::Node& node, std::uint64_t stream, const Context& context, const Scene& scene,
                      BodyList& bodies);
 

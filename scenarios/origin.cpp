@@ -88,7 +88,9 @@ Vec3 choose_origin(const Node& scenario, const std::vector<BodyFile>& files) {
     for (const Node& node : items_of(scenario, "inlets")) add_region(box, node.at("region"));
     for (const Node& node : items_of(scenario, "walls")) add_wall(box, node);
     for (const BodyFile& file : files) {
-        for (std::size_t i = 0; i < file.radius.size(); ++i) box.add(file.position[i] + file.offset, file.radius[i]);
+        if (file.bodies == 0) continue;
+        box.add(file.lower);
+        box.add(file.upper);
     }
     if (box.empty()) return Vec3::Zero();
 

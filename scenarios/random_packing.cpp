@@ -188,7 +188,9 @@ void generate_random(const io::Node& node, std::uint64_t stream, const Context& 
         return;
     }
     const Vec3 velocity = vector_or(node, "velocity", Vec3::Zero()), spin = vector_or(node, "spin", Vec3::Zero());
-    for (std::size_t k = 0; k < count; ++k) bodies.add(wanted.radius[k], material, found.position[k], velocity, spin);
+    for (std::size_t k = 0; k < count; ++k)
+        bodies.add(bodies.next_id + k, wanted.radius[k], material, found.position[k], velocity, spin);
+    bodies.next_id += count;
 }
 
 }  // namespace scree::scenarios

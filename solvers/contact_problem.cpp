@@ -10,20 +10,6 @@ namespace {
 constexpr std::size_t kFetchAhead = 4;  // batches
 constexpr double kRoundOff = 1e-12;     // of the largest velocity, in differences of velocities
 
-// One sum a block in the order of its batches, then an exact sum over the blocks: no order of blocks changes a bit.
-template <class PerBatch>
-double sum_over_blocks(const std::vector<Block>& blocks, PerBatch per_batch) {
-    ExactSum total;
-    for (const Block& block : blocks) {
-        Pack sum = Pack::all(0.0);
-        for (std::uint32_t k = block.begin; k < block.end; ++k) sum = sum + per_batch(k);
-        const double s = sum_lanes(sum);
-        if (!std::isfinite(s)) return s;
-        total.add(s);
-    }
-    return total.value();
-}
-
 void set_spin(SpinningLine& line, const Vec3& w, double inverse_inertia) {
     for (int k = 0; k < 3; ++k) line.w[k] = w[k];
     line.inverse_inertia = inverse_inertia;
@@ -47,6 +33,29 @@ void extrapolate(double* now, double* previous, std::size_t count, double beta) 
 
 }  // namespace
 
+// Phase by phase; one sum a block in the order of its batches, then an exact sum over the blocks: no order of blocks
+// and no split over ranks changes a bit. With `kMoves`, lines of shared bodies travel after each phase.
+template <class Law>
+template <bool kMoves, class PerBatch>
+void ContactProblem<Law>::over_blocks(ExactSum& total, PerBatch per_batch) {
+    const auto run = [&](std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t k = from; k < to; ++k) {
+            Pack sum = Pack::all(0.0);
+            for (std::uint32_t b = blocks()[k].begin; b < blocks()[k].end; ++b) sum = sum + per_batch(b);
+            total.add(sum_lanes(sum));
+        }
+    };
+    for (std::size_t phase = 0; phase < kPhases; ++phase) {
+        const Layout::PhaseBlocks& range = layout_->phase(phase);
+        run(range.begin, range.inner);
+        if constexpr (kMoves)
+            if (exchange_ != nullptr) exchange_->send(phase, line_.data());
+        run(range.inner, range.end);
+        if constexpr (kMoves)
+            if (exchange_ != nullptr) exchange_->receive(phase, line_.data());
+    }
+}
+
 template <class Law>
 void ContactProblem<Law>::free_lines(const State& state, const Vec3& dv_free) {
     const Bodies& bodies = state.bodies;
@@ -62,13 +71,19 @@ void ContactProblem<Law>::free_lines(const State& state, const Vec3& dv_free) {
 template <class Law>
 void ContactProblem<Law>::rebuild_lines(const State& state, const Vec3& dv_free) {
     free_lines(state, dv_free);
-    for (const Batch& batch : batch_) apply(batch, line_.data());
+    ExactSum none;
+    over_blocks<true>(none, [&](std::uint32_t k) {
+        apply(batch_[k], line_.data());
+        return Pack::all(0.0);
+    });
+    if (exchange_ != nullptr) exchange_->spread(line_.data());
 }
 
 template <class Law>
 void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state,
                                    const Vec3& dv_free, const std::vector<Vec3>& wall_velocity) {
     layout_ = &layout;
+    all_contacts_ = ranks_.sum(static_cast<std::uint64_t>(contacts.size()));
     contacts_ = contacts.size();
     const Bodies& bodies = state.bodies;
     bodies_ = bodies.size();
@@ -106,19 +121,22 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
 
 template <class Law>
 void ContactProblem<Law>::scale(double floor) {
-    const double sum = sum_over_blocks(blocks(), [&](std::uint32_t k) { return drive(batch_[k], line_.data()); });
+    ExactSum squares;
+    over_blocks<false>(squares, [&](std::uint32_t k) { return drive(batch_[k], line_.data()); });
+    const double sum = ranks_.sum(squares);
     // differences of velocities cannot be told from zero below the round-off of the velocities
     double fastest = 0.0;
     for (const Line& line : line_)
         for (const double v : line.v) fastest = std::max(fastest, std::abs(v));
     driven_ = sum > 0.0;
-    v_ref_ = std::max(floor, kRoundOff * fastest);
-    if (contacts_ > 0) v_ref_ = std::max(v_ref_, std::sqrt(sum / static_cast<double>(contacts_)));
+    v_ref_ = std::max(floor, kRoundOff * ranks_.max(fastest));
+    if (all_contacts_ > 0) v_ref_ = std::max(v_ref_, std::sqrt(sum / static_cast<double>(all_contacts_)));
 }
 
 template <class Law>
 void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std::vector<double>& normal) {
-    for (std::size_t k = 0; k < batch_.size(); ++k) {
+    ExactSum none;
+    over_blocks<true>(none, [&](std::uint32_t k) {
         Batch& batch = batch_[k];
         for (int i = 0; i < kLanes; ++i) {
             const std::uint32_t c = layout_->lanes()[k][static_cast<std::size_t>(i)];
@@ -129,7 +147,8 @@ void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std
                 batch.p[0][i] = normal[c];
         }
         apply(batch, line_.data());
-    }
+        return Pack::all(0.0);
+    });
 }
 
 template <class Law>
@@ -154,38 +173,41 @@ double ContactProblem<Law>::sweep(double beta, bool momentum) {
             __builtin_prefetch(line + next.b[i], 1);
         }
     };
-    double sum = 0.0;
+    ExactSum squares;
     if (momentum) {
         constexpr std::size_t kNumbers = sizeof(Line) / sizeof(double);
         extrapolate(line_[1].v, line_previous_[1].v, layout_->touched_lines() * kNumbers, beta);
-        sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
+        over_blocks<true>(squares, [&](std::uint32_t k) {
             fetch(k + kFetchAhead);
             return update<true>(batch_[k], line, previous_[k].p, b);
         });
     } else {
-        sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
+        over_blocks<true>(squares, [&](std::uint32_t k) {
             fetch(k + kFetchAhead);
             return update<false>(batch_[k], line, nullptr, b);
         });
     }
-    if (contacts_ == 0 || sum == 0.0) return 0.0;
-    return std::sqrt(sum / static_cast<double>(contacts_)) / v_ref_;
+    const double sum = ranks_.sum(squares);
+    if (all_contacts_ == 0 || sum == 0.0) return 0.0;
+    return std::sqrt(sum / static_cast<double>(all_contacts_)) / v_ref_;
 }
 
 template <class Law>
-Residual ContactProblem<Law>::residual() const {
+Residual ContactProblem<Law>::residual() {
     Pack largest = Pack::all(0.0);
-    const double sum = sum_over_blocks(blocks(), [&](std::uint32_t k) {
+    ExactSum squares;
+    over_blocks<false>(squares, [&](std::uint32_t k) {
         const Pack f = natural_map(batch_[k], line_.data());
         largest = max(largest, f);
         return f;
     });
-    if (contacts_ == 0 || sum == 0.0) return {};
-    return {std::sqrt(sum / static_cast<double>(contacts_)) / v_ref_, std::sqrt(max_lanes(largest)) / v_ref_};
+    const double sum = ranks_.sum(squares), most = ranks_.max(max_lanes(largest));
+    if (all_contacts_ == 0 || sum == 0.0) return {};
+    return {std::sqrt(sum / static_cast<double>(all_contacts_)) / v_ref_, std::sqrt(most) / v_ref_};
 }
 
 template <class Law>
-ContactWork ContactProblem<Law>::work(const State& state) const {
+void ContactProblem<Law>::add_work(const State& state, ContactWorkSums total) {
     line_mean_ = line_;
     const Bodies& bodies = state.bodies;
     for (std::size_t i = 0; i < bodies_; ++i) {
@@ -194,26 +216,19 @@ ContactWork ContactProblem<Law>::work(const State& state) const {
         if constexpr (Law::kImpulse == 3)
             for (int d = 0; d < 3; ++d) line.w[d] = 0.5 * (line.w[d] + bodies.radius[i] * bodies.spin[i][d]);
     }
-    ContactWork total;
-    ExactSum tangential, gained;
     const Pack zero = Pack::all(0.0);
-    std::uint32_t block = 0;
-    Pack sum_tangential = zero, sum_gained = zero;
-    total.normal = sum_over_blocks(blocks(), [&](std::uint32_t k) {
-        const WorkPacks w = solvers::work(batch_[k], line_mean_.data());
-        sum_tangential = sum_tangential + w.tangential;
-        sum_gained = sum_gained + max(w.normal + w.tangential, zero);
-        if (k + 1 == blocks()[block].end) {
-            tangential.add(sum_lanes(sum_tangential));
-            gained.add(sum_lanes(sum_gained));
-            sum_tangential = sum_gained = zero;
-            ++block;
+    for (const Block& block : blocks()) {
+        Pack normal = zero, tangential = zero, gained = zero;
+        for (std::uint32_t k = block.begin; k < block.end; ++k) {
+            const WorkPacks w = solvers::work(batch_[k], line_mean_.data());
+            normal = normal + w.normal;
+            tangential = tangential + w.tangential;
+            gained = gained + max(w.normal + w.tangential, zero);
         }
-        return w.normal;
-    });
-    total.tangential = tangential.value();
-    total.gained = gained.value();
-    return total;
+        total[0].add(sum_lanes(normal));
+        total[1].add(sum_lanes(tangential));
+        total[2].add(sum_lanes(gained));
+    }
 }
 
 template <class Law>

@@ -8,26 +8,31 @@
 #include "contact/contact_set.hpp"
 #include "core/aligned_vector.hpp"
 #include "core/exact_sum.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "solvers/batch.hpp"
 #include "solvers/layout.hpp"
+#include "solvers/line_exchange.hpp"
 
 namespace scree::solvers {
 
 struct Residual {
     double rms = 0.0, max = 0.0;  // of the natural map over v_ref (solvers/README.md)
 };
-struct ContactWork {
-    double normal = 0.0, tangential = 0.0;  // [J]
-    double gained = 0.0;                    // [J] sum over batches' blocks whose contacts together added energy
-};
+// Work of the contacts [J]: normal, tangential, and of those contacts alone that together added energy.
+using ContactWorkSums = std::span<ExactSum, 3>;
 
 template <class Law>
 class ContactProblem {
   public:
     using Line = typename Law::Line;
     using Batch = typename Law::Batch;
+
+    explicit ContactProblem(const Communicator& ranks = Communicator::self()) : ranks_(ranks) {}
+    // Lines of shared bodies travel by this; null with one rank. All that follows is collective.
+    void exchange_by(LineExchange* exchange) { exchange_ = exchange; }
+
     struct Impulse {
         alignas(64) double p[Law::kImpulse][kLanes];
     };
@@ -49,9 +54,9 @@ class ContactProblem {
     // Forgets the last change of impulses: the next sweep starts where the last one ended.
     void reset_momentum();
 
-    Residual residual() const;
-    // Work of the impulses on the mean of the velocities before (state) and after (lines).
-    ContactWork work(const State& state) const;
+    Residual residual();
+    // Work of this rank's impulses on the mean of the velocities before (state) and after (lines).
+    void add_work(const State& state, ContactWorkSums total);
     // Makes the lines anew from the free velocities and the impulses: what hundreds of sweeps and extrapolations left
     // of round-off is gone. `state` has the velocities before the step.
     void rebuild_lines(const State& state, const Vec3& dv_free);
@@ -60,7 +65,7 @@ class ContactProblem {
     // Impulses in order of key.
     void impulses(std::vector<Vec3>& impulse, std::vector<double>& normal) const;
 
-    std::size_t contacts() const { return contacts_; }
+    std::uint64_t contacts() const { return all_contacts_; }  // of all ranks
     double reference_velocity() const { return v_ref_; }
     const std::vector<Block>& blocks() const { return layout_->blocks(); }
     const LineVector<Batch>& batches() const { return batch_; }
@@ -70,16 +75,21 @@ class ContactProblem {
 
   private:
     void free_lines(const State& state, const Vec3& dv_free);
+    template <bool kMoves, class PerBatch>
+    void over_blocks(ExactSum& total, PerBatch per_batch);
 
+    const Communicator& ranks_;
+    LineExchange* exchange_ = nullptr;
     const Layout* layout_ = nullptr;
     std::size_t contacts_ = 0, bodies_ = 0;
+    std::uint64_t all_contacts_ = 0;
     double v_ref_ = 0.0;
     bool driven_ = false;
     LineVector<Line> line_;  // ground, bodies, moving-wall contacts
     LineVector<Batch> batch_;
     LineVector<Impulse> previous_;    // momentum: impulses before the last sweep; empty without acceleration
     LineVector<Line> line_previous_;  // and the lines that belong to them
-    mutable LineVector<Line> line_mean_;
+    LineVector<Line> line_mean_;
 };
 
 extern template class ContactProblem<Frictional>;

@@ -9,60 +9,72 @@
 namespace scree::solvers {
 namespace {
 
-constexpr std::uint64_t kWideBodies = ~std::uint64_t{0};     // the block of those that fit into no block
-constexpr std::int64_t kMostBlocks = std::int64_t{1} << 20;  // in one direction
+constexpr std::uint64_t kWideBodies = ~std::uint64_t{0};  // the block of those that fit into no block
 
-// Index of the block that holds x. Far out, indices are held at the last block: that only puts contacts that are far
-// apart into one list, where first fit keeps their bodies apart.
-std::int64_t block_index(double x, double size) {
-    const double i = std::floor(x / size), most = static_cast<double>(kMostBlocks);
-    if (!(i > -most)) return -kMostBlocks;
-    return i < most ? static_cast<std::int64_t>(i) : kMostBlocks;
+// The k-th of all positive numbers in increasing order, over all ranks: their bits order as they do.
+double kth_of_all(const std::vector<double>& own, std::uint64_t k, const Communicator& ranks) {
+    std::uint64_t prefix = 0;
+    for (int shift = 48; shift >= 0; shift -= 16) {
+        std::vector<std::uint64_t> count(1U << 16, 0);
+        for (const double x : own) {
+            const auto bits = std::bit_cast<std::uint64_t>(x);
+            if (shift == 48 || bits >> (shift + 16) == prefix) ++count[bits >> shift & 0xffff];
+        }
+        ranks.sum(count);
+        std::uint64_t digit = 0;
+        while (k >= count[digit]) k -= count[digit++];
+        prefix = prefix << 16 | digit;
+    }
+    return std::bit_cast<double>(prefix);
 }
 
 }  // namespace
 
-double choose_block_size(const std::vector<double>& radius) {
-    if (radius.empty()) return 1.0;
-    std::vector<double> sorted = radius;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double median = 2.0 * *middle;
-    const double widest = 2.0 * *std::max_element(radius.begin(), radius.end());
+double choose_block_size(const Bodies& bodies, const Communicator& ranks) {
+    std::vector<double> own;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (!bodies.is_ghost(i)) own.push_back(bodies.radius[i]);
+    const std::uint64_t n = ranks.sum(static_cast<std::uint64_t>(own.size()));
+    if (n == 0) return 0.0;
+    double middle = 0.0;
+    if (ranks.alone()) {
+        const auto at = own.begin() + static_cast<std::ptrdiff_t>(n / 2);
+        std::nth_element(own.begin(), at, own.end());
+        middle = *at;
+    } else {
+        middle = kth_of_all(own, n / 2, ranks);
+    }
+    const double median = 2.0 * middle;
+    const double widest = 2.0 * ranks.max(own.empty() ? 0.0 : *std::max_element(own.begin(), own.end()));
     return std::min(std::max(5.0 * median, 2.2 * widest), 16.0 * median);
 }
 
 void Layout::place(const contact::ContactSet& contacts, const Bodies& bodies, double block_size) {
-    constexpr std::int64_t kLarge = 4 * kMostBlocks;
-    std::array<std::int64_t, 3> low{kLarge, kLarge, kLarge}, high{-kLarge, -kLarge, -kLarge};
-    index_.resize(contacts.size());
+    constexpr std::int32_t kLarge = 2 * kMostBlocks;
+    std::array<std::int32_t, 3> low{kLarge, kLarge, kLarge}, high{-kLarge, -kLarge, -kLarge};
+    home_.resize(contacts.size());
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        const contact::Contact& contact = contacts[c];
-        const double ra = bodies.radius[contact.a];
-        const Vec3 point = contact.point(bodies.position[contact.a], ra);
-        const double widest = contact.key.is_wall() ? ra : std::max(ra, bodies.radius[contact.b]);
-        index_[c].wide = 2.0 * widest + std::abs(contact.gap) >= block_size;
+        home_[c] = contact::home_of(contacts[c], bodies, block_size);
         for (std::size_t d = 0; d < 3; ++d) {
-            const std::int64_t i = block_index(point[static_cast<int>(d)], block_size);
-            index_[c].at[d] = i;
-            low[d] = std::min(low[d], i);
-            high[d] = std::max(high[d], i);
+            low[d] = std::min(low[d], home_[c].block[d]);
+            high[d] = std::max(high[d], home_[c].block[d]);
         }
     }
     // keys as short as the scene allows; even offsets keep the parity, so that the order is that of absolute indices
     std::array<int, 3> bits{};
     for (std::size_t d = 0; d < 3; ++d) {
-        low[d] &= ~std::int64_t{1};
-        bits[d] = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(high[d] - low[d])));
+        low[d] &= ~std::int32_t{1};
+        bits[d] = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(high[d] - low[d])));
     }
+    colour_shift_ = bits[0] + bits[1] + bits[2];
     placed_.clear();
     for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-        const auto x = static_cast<std::uint64_t>(index_[c].at[0] - low[0]),
-                   y = static_cast<std::uint64_t>(index_[c].at[1] - low[1]),
-                   z = static_cast<std::uint64_t>(index_[c].at[2] - low[2]);
+        const auto x = static_cast<std::uint64_t>(home_[c].block[0] - low[0]),
+                   y = static_cast<std::uint64_t>(home_[c].block[1] - low[1]),
+                   z = static_cast<std::uint64_t>(home_[c].block[2] - low[2]);
         const std::uint64_t colour = (x & 1) | (y & 1) << 1 | (z & 1) << 2;
         const std::uint64_t key = (((colour << bits[2] | z) << bits[1] | y) << bits[0]) | x;
-        placed_.push_back({index_[c].wide ? kWideBodies : key, c});
+        placed_.push_back({home_[c].wide ? kWideBodies : key, c});
     }
 }
 
@@ -133,9 +145,34 @@ void Layout::assign_lines(const contact::ContactSet& contacts, std::size_t bodie
     for (std::uint32_t body = 0; body < bodies; ++body) visit(body);
 }
 
-void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, double block_size) {
+// Blocks that touch shared bodies first: their results travel while the others are solved.
+void Layout::sort_phase(PhaseBlocks& phase, const contact::ContactSet& contacts,
+                        const std::vector<std::uint8_t>& shared) {
+    phase.inner = phase.begin;
+    if (shared.empty()) return;
+    inner_.clear();
+    for (std::uint32_t k = phase.begin; k < phase.end; ++k) {
+        const Block block = blocks_[k];
+        const bool border = std::any_of(lane_.begin() + block.begin, lane_.begin() + block.end, [&](const auto& lanes) {
+            return std::any_of(lanes.begin(), lanes.end(), [&](std::uint32_t c) {
+                return c != kNoContact &&
+                       (shared[contacts[c].a] != 0 || (!contacts[c].key.is_wall() && shared[contacts[c].b] != 0));
+            });
+        });
+        if (border)
+            blocks_[phase.inner++] = block;
+        else
+            inner_.push_back(block);
+    }
+    std::copy(inner_.begin(), inner_.end(), blocks_.begin() + phase.inner);
+}
+
+void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, double block_size,
+                     const std::vector<std::uint8_t>& shared) {
     blocks_.clear();
     lane_.clear();
+    home_.clear();
+    phase_.fill({});
     if (!contacts.empty()) {
         place(contacts, bodies, block_size);
         // stable: contacts of a block stay in order of key
@@ -145,16 +182,22 @@ void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, 
             std::size_t end = begin;
             while (end < placed_.size() && placed_[end].block == placed_[begin].block) ++end;
             fill_block(contacts, begin, end);
+            const std::uint64_t key = placed_[begin].block;
+            PhaseBlocks& phase = phase_[key == kWideBodies ? kPhases - 1 : key >> colour_shift_];
+            const auto count = static_cast<std::uint32_t>(blocks_.size());
+            if (phase.end == 0) phase.begin = count - 1;
+            phase.end = count;
             begin = end;
         }
+        for (PhaseBlocks& phase : phase_) sort_phase(phase, contacts, shared);
     }
     assign_lines(contacts, bodies.size());
 }
 
 std::size_t Layout::bytes() const {
-    return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) + index_.capacity() * sizeof(Index) +
-           blocks_.capacity() * sizeof(Block) + body_line_.capacity() * 4 + lane_.capacity() * sizeof(lane_[0]) +
-           occupied_.capacity() * sizeof(Occupied);
+    return (placed_.capacity() + sorted_.capacity()) * sizeof(Placed) +
+           home_.capacity() * sizeof(contact::ContactHome) + (blocks_.capacity() + inner_.capacity()) * sizeof(Block) +
+           body_line_.capacity() * 4 + lane_.capacity() * sizeof(lane_[0]) + occupied_.capacity() * sizeof(Occupied);
 }
 
 }  // namespace scree::solvers

@@ -1,7 +1,8 @@
 // Measures that look at bodies alone: mass in a region, and how far the bodies reach.
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <array>
 
+#include "core/parallel/body_sums.hpp"
 #include "solvers/measure_kinds.hpp"
 
 namespace scree::solvers::detail {
@@ -15,15 +16,12 @@ Columns mass_in_columns() {
             {"number", "1", "Bodies with their centre in the region", 1}};
 }
 
-void sample_mass_in(const Sampled& s, Numbers& out) {
+void sample_mass_in(const Sampled& s, Pool& pool) {
     const Bodies& bodies = s.state.bodies;
-    double mass = 0.0, number = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!in_region(s.measure, bodies.position[i])) continue;
-        mass += bodies.mass[i];
-        number += 1.0;
-    }
-    append(out, {mass, number});
+    add_over_bodies(bodies, std::span<ExactSum, 2>(pool.sums(2)), [&](std::size_t i) {
+        const bool in = in_region(s.measure, bodies.position[i]);
+        return std::array{in ? bodies.mass[i] : 0.0, in ? 1.0 : 0.0};
+    });
 }
 
 Columns extent_columns() {
@@ -32,20 +30,26 @@ Columns extent_columns() {
             {"centre_of_mass", "m", "Centre of mass of the bodies, along the axis", 1}};
 }
 
-// Numbers: 1 if there are bodies, lowest, highest, centre of mass (0 if there are none).
-void sample_extent(const Sampled& s, Numbers& out) {
+void sample_extent(const Sampled& s, Pool& pool) {
     const Bodies& bodies = s.state.bodies;
-    double lowest = kForever, highest = -kForever, mass = 0.0, moment = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!in_region(s.measure, bodies.position[i])) continue;
+    double lowest = kForever, highest = -kForever;
+    add_over_bodies(bodies, std::span<ExactSum, 2>(pool.sums(2)), [&](std::size_t i) {
+        if (bodies.is_ghost(i) || !in_region(s.measure, bodies.position[i])) return std::array{0.0, 0.0};
         const double along = bodies.position[i].dot(s.measure.axis);
         lowest = std::min(lowest, along - bodies.radius[i]);
         highest = std::max(highest, along + bodies.radius[i]);
-        mass += bodies.mass[i];
-        moment += bodies.mass[i] * along;
-    }
-    if (mass > 0.0) {
-        append(out, {1.0, lowest, highest, moment / mass});
+        return std::array{bodies.mass[i], bodies.mass[i] * along};
+    });
+    const std::span<double> most = pool.most(2);
+    most[0] = -lowest;
+    most[1] = highest;
+}
+
+// Numbers: 1 if there are bodies, lowest, highest, centre of mass (0 if there are none).
+void read_extent(Pool& pool, Numbers& out) {
+    const std::span<const double> sums = pool.next_sums(2), most = pool.next_most(2);
+    if (sums[0] > 0.0) {
+        append(out, {1.0, -most[0], most[1], sums[1] / sums[0]});
     } else {
         append(out, {0.0, 0.0, 0.0, 0.0});
     }

@@ -26,22 +26,43 @@ Columns columns_of(const Scene& scene, const Measure& measure) {
     return {};
 }
 
-void sample(const Sampled& s, Numbers& out) {
+void sample(const Sampled& s, Pool& pool) {
+    switch (s.measure.kind) {
+        case MeasureKind::flow_rate:   // counted, not sampled
+        case MeasureKind::wall_force:  // only read
+            return;
+        case MeasureKind::mass_in:
+            return sample_mass_in(s, pool);
+        case MeasureKind::coordination:
+            return sample_coordination(s, pool);
+        case MeasureKind::packing_fraction:
+            return sample_packing(s, pool);
+        case MeasureKind::profile:
+            return sample_profile(s, pool);
+        case MeasureKind::extent:
+            return sample_extent(s, pool);
+    }
+}
+
+void read(const Sampled& s, Pool& pool, Numbers& out) {
+    const auto sums = [&](std::size_t n) {
+        for (const double sum : pool.next_sums(n)) out.push_back(sum);
+    };
     switch (s.measure.kind) {
         case MeasureKind::flow_rate:
-            return;  // counted, not sampled
-        case MeasureKind::mass_in:
-            return sample_mass_in(s, out);
+            return;
         case MeasureKind::wall_force:
-            return sample_wall_force(s, out);
+            return read_wall_force(s, out);
+        case MeasureKind::mass_in:
+            return sums(2);
         case MeasureKind::coordination:
-            return sample_coordination(s, out);
+            return sums(3);
         case MeasureKind::packing_fraction:
-            return sample_packing(s, out);
+            return sums(1);
         case MeasureKind::profile:
-            return sample_profile(s, out);
+            return sums(5 * static_cast<std::size_t>(s.measure.bins));
         case MeasureKind::extent:
-            return sample_extent(s, out);
+            return read_extent(pool, out);
     }
 }
 

@@ -21,7 +21,7 @@ Columns wall_force_columns(const Measure& measure, const Scene& scene) {
             {"contacts", "1", "Contacts with the wall that carry an impulse", 1}};
 }
 
-void sample_wall_force(const Sampled& s, Numbers& out) {
+void read_wall_force(const Sampled& s, Numbers& out) {
     const std::size_t wall = raw(s.measure.wall);
     const WallLoad none;
     const WallLoad& load = wall < s.outcome.wall_loads.size() ? s.outcome.wall_loads[wall] : none;
@@ -37,27 +37,87 @@ Columns coordination_columns() {
             {"rattlers", "1", "Share of these bodies that have no contact with an impulse", 1}};
 }
 
-// Numbers: bodies, their contacts, bodies without one.
-void sample_coordination(const Sampled& s, Numbers& out) {
+namespace {
+
+struct BodyCount {
+    std::uint64_t id, contacts;
+};
+
+// The contacts with an impulse of each body that this rank has; `foreign`: the other bodies that have some of this
+// rank's contacts, each as often.
+std::vector<std::uint64_t> count_contacts(const Sampled& s, std::vector<std::uint64_t>& foreign) {
     const Bodies& bodies = s.state.bodies;
-    std::vector<std::uint32_t> count(bodies.size(), 0);
+    std::vector<std::uint64_t> count(bodies.size(), 0);
     const auto add = [&](std::uint64_t id) {
         const auto at = std::lower_bound(bodies.id.begin(), bodies.id.end(), BodyId{id});
-        if (at != bodies.id.end() && raw(*at) == id) ++count[static_cast<std::size_t>(at - bodies.id.begin())];
+        const auto i = static_cast<std::size_t>(at - bodies.id.begin());
+        if (i < bodies.size() && raw(*at) == id && !bodies.is_ghost(i))
+            ++count[i];
+        else
+            foreign.push_back(id);
     };
     for (const ContactRecord& contact : s.outcome.contacts) {
         if (contact.impulse.isZero(0.0)) continue;
         add(contact.key.a);
         if (!contact.key.is_wall()) add(contact.key.b);
     }
-    double number = 0.0, contacts = 0.0, free = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!in_region(s.measure, bodies.position[i])) continue;
-        number += 1.0;
-        contacts += count[i];
-        if (count[i] == 0) free += 1.0;
+    return count;
+}
+
+// A body's contacts may lie on ranks that do not know who has the body now. So counts meet on the rank id % ranks:
+// those of the bodies to be counted, from the ranks that have them, and those of the contacts found elsewhere.
+std::vector<BodyCount> bring_together(const std::vector<BodyCount>& bodies, const std::vector<std::uint64_t>& foreign,
+                                      const Communicator& ranks) {
+    const auto size = static_cast<std::uint64_t>(ranks.size());
+    std::vector<std::vector<BodyCount>> to(size);
+    for (const BodyCount& body : bodies) to[body.id % size].push_back(body);
+    std::vector<std::vector<std::uint64_t>> elsewhere(size);
+    for (const std::uint64_t id : foreign) elsewhere[id % size].push_back(id);
+    std::vector<Communicator::Message> out;
+    for (std::size_t r = 0; r < size; ++r) {
+        if (to[r].empty() && elsewhere[r].empty()) continue;
+        Packer packer;
+        packer.put(static_cast<std::uint64_t>(to[r].size()));
+        packer.put_all(std::span<const BodyCount>(to[r]));
+        packer.put_all(std::span<const std::uint64_t>(elsewhere[r]));
+        out.push_back({static_cast<int>(r), std::move(packer.bytes)});
     }
-    append(out, {number, contacts, free});
+    std::vector<BodyCount> met;
+    std::vector<std::uint64_t> touched;
+    for (const Communicator::Message& message : ranks.exchange(out)) {
+        Unpacker from(message.bytes);
+        for (auto n = from.get<std::uint64_t>(); n > 0; --n) met.push_back(from.get<BodyCount>());
+        while (!from.empty()) touched.push_back(from.get<std::uint64_t>());
+    }
+    std::sort(touched.begin(), touched.end());
+    for (BodyCount& body : met) {
+        const auto [first, last] = std::equal_range(touched.begin(), touched.end(), body.id);
+        body.contacts += static_cast<std::uint64_t>(last - first);
+    }
+    return met;
+}
+
+}  // namespace
+
+// Numbers: bodies, their contacts, bodies without one.
+void sample_coordination(const Sampled& s, Pool& pool) {
+    const Bodies& bodies = s.state.bodies;
+    std::vector<std::uint64_t> foreign;
+    const std::vector<std::uint64_t> count = count_contacts(s, foreign);
+    std::vector<BodyCount> counted;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (!bodies.is_ghost(i) && in_region(s.measure, bodies.position[i]))
+            counted.push_back({raw(bodies.id[i]), count[i]});
+    if (!s.ranks.alone()) counted = bring_together(counted, foreign, s.ranks);
+    double contacts = 0.0, free = 0.0;
+    for (const BodyCount& body : counted) {
+        contacts += static_cast<double>(body.contacts);
+        if (body.contacts == 0) free += 1.0;
+    }
+    const std::span<ExactSum> sums = pool.sums(3);
+    sums[0].add(static_cast<double>(counted.size()));
+    sums[1].add(contacts);
+    sums[2].add(free);
 }
 
 Numbers finish_coordination(std::span<const double> numbers) {

@@ -74,17 +74,17 @@ Columns packing_columns() {
             {"solid_volume", "m3", "Volume of the spheres inside the region", 1}};
 }
 
-void sample_packing(const Sampled& s, Numbers& out) {
+void sample_packing(const Sampled& s, Pool& pool) {
     const Bodies& bodies = s.state.bodies;
     const BoxRegion box = bounds(*s.measure.region);
-    double solid = 0.0;
+    ExactSum& solid = pool.sums(1)[0];
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.is_ghost(i)) continue;
         const Vec3& x = bodies.position[i];
         const double r = bodies.radius[i];
         if (((x - box.upper).array() >= r).any() || ((box.lower - x).array() >= r).any()) continue;
-        solid += overlap_volume(*s.measure.region, x, r);
+        solid.add(overlap_volume(*s.measure.region, x, r));
     }
-    out.push_back(solid);
 }
 
 Numbers finish_packing(const Measure& measure, std::span<const double> numbers) {
@@ -110,14 +110,15 @@ Columns profile_columns(const Measure& m, const Scene& scene) {
 }
 
 // Numbers, each one a bin: volume of spheres, mass, momentum x, y, z.
-void sample_profile(const Sampled& s, Numbers& out) {
+void sample_profile(const Sampled& s, Pool& pool) {
     const Measure& m = s.measure;
     const Bodies& bodies = s.state.bodies;
-    const std::size_t n = bins_of(m), first = out.size();
+    const std::size_t n = bins_of(m);
     std::vector<std::optional<Region>> region(n);
     for (std::size_t bin = 0; bin < n; ++bin) region[bin] = bin_region(m, bin);
-    out.resize(first + 5 * n, 0.0);
+    const std::span<ExactSum> sums = pool.sums(5 * n);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.is_ghost(i)) continue;
         const double along = bodies.position[i].dot(m.axis), radius = bodies.radius[i];
         if (!region[0] && !in_region(m, bodies.position[i])) continue;  // no part of the region's shape: centres
         const double low = (along - radius - m.from_coordinate) / bin_width(m);
@@ -129,11 +130,10 @@ void sample_profile(const Sampled& s, Numbers& out) {
                                     ? overlap_volume(*region[bin], bodies.position[i], radius)
                                     : slab_volume(radius, bin_start(m, bin) - along, bin_start(m, bin + 1) - along);
             const double mass = bodies.mass[i] * part / sphere_volume(radius);
-            out[first + bin] += part;
-            out[first + n + bin] += mass;
-            for (std::size_t k = 0; k < 3; ++k) {
-                out[first + (2 + k) * n + bin] += mass * bodies.velocity[i][static_cast<Eigen::Index>(k)];
-            }
+            sums[bin].add(part);
+            sums[n + bin].add(mass);
+            for (std::size_t k = 0; k < 3; ++k)
+                sums[(2 + k) * n + bin].add(mass * bodies.velocity[i][static_cast<Eigen::Index>(k)]);
         }
     }
 }

@@ -1,8 +1,11 @@
 #include "solvers/measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include "core/parallel/body_sums.hpp"
 #include "solvers/measure_kinds.hpp"
 
 namespace scree::solvers {
@@ -33,20 +36,43 @@ bool window_ends(const Measure& measure, double time, double step) {
     return time >= measure.until - 1e-6 * step && time - step < measure.until - 1e-6 * step;
 }
 
-void standard_values(const State& state, const StepReport& report, Numbers& out) {
-    const Bodies& bodies = state.bodies;
-    double mass = 0.0, speed_squared = 0.0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        mass += bodies.mass[i];
-        speed_squared = std::max(speed_squared, bodies.velocity[i].squaredNorm());
-    }
+template <class T>
+std::vector<T> own(const std::vector<T>& values, const std::vector<std::uint8_t>& ghost) {
+    if (ghost.empty()) return values;
+    std::vector<T> kept;
+    kept.reserve(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (ghost[i] == 0) kept.push_back(values[i]);
+    return kept;
+}
+
+void sample_standard(const Bodies& bodies, Pool& pool) {
+    double speed_squared = 0.0;
+    add_over_bodies(bodies, std::span<ExactSum, 2>(pool.sums(2)), [&](std::size_t i) {
+        if (!bodies.is_ghost(i)) speed_squared = std::max(speed_squared, bodies.velocity[i].squaredNorm());
+        return std::array{1.0, bodies.mass[i]};
+    });
+    pool.most(1)[0] = speed_squared;
+}
+
+void standard_values(const State& state, const StepReport& report, Pool& pool, Numbers& out) {
+    const std::span<const double> sums = pool.next_sums(2);
+    const double speed_squared = pool.next_most(1)[0];
     const Penetration& p = report.penetration;
-    detail::append(out, {state.time, static_cast<double>(bodies.size()), mass, static_cast<double>(report.contacts),
-                         static_cast<double>(report.active), static_cast<double>(report.sweeps), report.residual_rms,
-                         report.residual_max, p.max, p.mean, p.max_relative, p.mean_relative, state.ledger.kinetic,
-                         state.ledger.potential});
+    detail::append(
+        out, {state.time, sums[0], sums[1], static_cast<double>(report.contacts), static_cast<double>(report.active),
+              static_cast<double>(report.sweeps), report.residual_rms, report.residual_max, p.max, p.mean,
+              p.max_relative, p.mean_relative, state.ledger.kinetic, state.ledger.potential});
     out.insert(out.end(), state.ledger.work.begin(), state.ledger.work.end());
     detail::append(out, {state.ledger.imbalance(), report.momentum_error, std::sqrt(speed_squared)});
+}
+
+void add_passages(std::span<const double> sums, MeasureState& counters) {
+    counters.window_sum.resize(2, 0.0);
+    counters.passed_mass += sums[0];
+    counters.passed_count += sums[1];
+    counters.window_sum[0] += sums[2];
+    counters.window_sum[1] += sums[3];
 }
 
 void flow_rate_values(double time, MeasureState& counters, Numbers& out) {
@@ -62,39 +88,50 @@ void flow_rate_values(double time, MeasureState& counters, Numbers& out) {
 
 }  // namespace
 
-Measures::Measures(const Scene& scene)
-    : counts_passages_(std::any_of(scene.measures.begin(), scene.measures.end(),
-                                   [](const Measure& m) { return m.kind == MeasureKind::flow_rate; })) {}
+Measures::Measures(const Scene& scene, const Communicator& ranks)
+    : ranks_(ranks), counts_passages_(std::any_of(scene.measures.begin(), scene.measures.end(), [](const Measure& m) {
+          return m.kind == MeasureKind::flow_rate;
+      })) {}
 
 void Measures::before_step(const State& state) {
     if (!counts_passages_) return;
+    const Bodies& bodies = state.bodies;
     start_.time = state.time;
-    start_.id = state.bodies.id;
-    start_.mass = state.bodies.mass;
-    start_.position = state.bodies.position;
-    start_.velocity = state.bodies.velocity;
+    start_.id = own(bodies.id, bodies.ghost);
+    start_.mass = own(bodies.mass, bodies.ghost);
+    start_.position = own(bodies.position, bodies.ghost);
+    start_.velocity = own(bodies.velocity, bodies.ghost);
 }
 
 void Measures::after_step(const Scene& scene, State& state, const StepOutcome& outcome) {
     state.measures.resize(scene.measures.size());
+    const auto weight_of = [&](const Measure& m) { return inside_window(m, state.time - outcome.length, state.time); };
+    const auto is_due = [&](const Measure& m) {
+        return detail::is_cheap(m.kind) ? weight_of(m) > 0.0 : window_ends(m, state.time, outcome.length);
+    };
+    pool_.clear();
+    std::vector<detail::Flight> absent;
+    if (counts_passages_) absent = detail::flights_of_absent({start_, scene, state}, ranks_);
+    for (const Measure& measure : scene.measures) {
+        if (measure.kind == MeasureKind::flow_rate)
+            detail::count_passed({start_, scene, state}, absent, measure, pool_);
+        else if (is_due(measure))
+            detail::sample({scene, measure, state, outcome, ranks_}, pool_);
+    }
+    pool_.unite(ranks_);
     for (std::size_t i = 0; i < scene.measures.size(); ++i) {
         const Measure& measure = scene.measures[i];
         MeasureState& counters = state.measures[i];
         if (measure.kind == MeasureKind::flow_rate) {
-            counters.window_sum.resize(2, 0.0);
-            detail::count_passed({start_, scene, state}, measure, counters);
+            add_passages(pool_.next_sums(detail::kPassageSums), counters);
             counters.window_time += inside_window(measure, start_.time, state.time);
-            continue;
-        }
-        const bool cheap = detail::is_cheap(measure.kind);
-        const double weight = inside_window(measure, state.time - outcome.length, state.time);
-        if (cheap ? weight <= 0.0 : !window_ends(measure, state.time, outcome.length)) continue;
-        numbers_.clear();
-        detail::sample({scene, measure, state, outcome}, numbers_);
-        if (cheap) {
-            add_to_window(numbers_, weight, counters);
-        } else {
-            add_sample(measure, numbers_, state.time, counters);
+        } else if (is_due(measure)) {
+            numbers_.clear();
+            detail::read({scene, measure, state, outcome, ranks_}, pool_, numbers_);
+            if (detail::is_cheap(measure.kind))
+                add_to_window(numbers_, weight_of(measure), counters);
+            else
+                add_sample(measure, numbers_, state.time, counters);
         }
     }
 }
@@ -102,8 +139,12 @@ void Measures::after_step(const Scene& scene, State& state, const StepOutcome& o
 std::vector<double> Measures::row(const Scene& scene, State& state, const StepOutcome& outcome,
                                   const StepReport& report) {
     state.measures.resize(scene.measures.size());
+    pool_.clear();
+    sample_standard(state.bodies, pool_);
+    for (const Measure& measure : scene.measures) detail::sample({scene, measure, state, outcome, ranks_}, pool_);
+    pool_.unite(ranks_);
     Numbers values;
-    standard_values(state, report, values);
+    standard_values(state, report, pool_, values);
     for (std::size_t i = 0; i < scene.measures.size(); ++i) {
         const Measure& measure = scene.measures[i];
         MeasureState& counters = state.measures[i];
@@ -112,7 +153,7 @@ std::vector<double> Measures::row(const Scene& scene, State& state, const StepOu
             continue;
         }
         numbers_.clear();
-        detail::sample({scene, measure, state, outcome}, numbers_);
+        detail::read({scene, measure, state, outcome, ranks_}, pool_, numbers_);
         if (!detail::is_cheap(measure.kind)) add_sample(measure, numbers_, state.time, counters);
         const Numbers columns = detail::finish(scene, measure, numbers_);
         values.insert(values.end(), columns.begin(), columns.end());

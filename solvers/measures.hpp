@@ -7,16 +7,19 @@
 //                                         with the part that lies inside
 //   coordination, packing_fraction,       of samples at the rows of the history and at the end of the window, each
 //   weighted profile                               by the time since the one before
-// Lengths in columns are absolute (the scene's origin is added); torques are about the scene's origin.
+// What follows is collective, and every rank gets the same numbers: each counts the bodies and contacts that are its
+// own. Lengths in columns are absolute (the scene's origin is added); torques are about the scene's origin.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/measure.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
+#include "solvers/pool.hpp"
 #include "solvers/stepper.hpp"
 
 namespace scree::solvers {
@@ -37,7 +40,7 @@ inline StepOutcome outcome_of(const Stepper& stepper) {
     return {stepper.contacts(), stepper.wall_loads(), stepper.last_step()};
 }
 
-// The bodies at the start of a step, as far as flow rates need them.
+// This rank's own bodies at the start of a step, as far as flow rates need them.
 struct StartOfStep {
     double time = 0.0;  // [s]
     std::vector<BodyId> id;
@@ -48,7 +51,7 @@ struct StartOfStep {
 
 class Measures {
   public:
-    explicit Measures(const Scene& scene);
+    explicit Measures(const Scene& scene, const Communicator& ranks = Communicator::self());
 
     // Call before Stepper::advance. Nothing is stored if no measure needs it.
     void before_step(const State& state);
@@ -76,9 +79,11 @@ class Measures {
     static std::vector<Mean> means(const Scene& scene, const State& state);
 
   private:
+    const Communicator& ranks_;
     StartOfStep start_;
     bool counts_passages_ = false;
-    std::vector<double> numbers_;  // scratch
+    Pool pool_;  // scratch
+    std::vector<double> numbers_;
 };
 
 }  // namespace scree::solvers

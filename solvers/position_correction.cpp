@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/parallel/body_sums.hpp"
 #include "solvers/kernels.hpp"
 
 namespace scree::solvers {
@@ -38,65 +40,72 @@ void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bod
 }
 
 Penetration PositionCorrection::measure(const contact::ContactSet& contacts, const Bodies& bodies,
-                                        std::size_t closed) const {
-    const contact::NearContacts::Shallow& shallow = near_.shallow();
-    Penetration result{shallow.max, shallow.sum, shallow.max_relative, shallow.sum_relative};
-    std::size_t overlaps = shallow.count;
+                                        const Communicator& ranks, std::size_t closed) const {
+    contact::OverlapSums sums = near_.shallow();
     for (const contact::Contact& c : contacts) {
         const SlidingLine& a = line_[layout_.line(c.a)];
         const SlidingLine& b = line_[c.key.is_wall() ? kGround : layout_.line(c.b)];
         double gap = c.gap;
         for (int d = 0; d < 3; ++d) gap += c.normal[d] * (a.v[d] - b.v[d]);
-        if (gap >= 0.0) continue;
-        const double relative = -gap / contact::NearContacts::diameter(c, bodies);
-        ++overlaps;
-        result.max = std::max(result.max, -gap);
-        result.max_relative = std::max(result.max_relative, relative);
-        result.mean -= gap;
-        result.mean_relative += relative;
+        sums.add(-gap, contact::NearContacts::diameter(c, bodies));
     }
-    const auto count = static_cast<double>(std::max({overlaps, closed, std::size_t{1}}));
-    result.mean /= count;
-    result.mean_relative /= count;
-    return result;
+    return sums.over(ranks, closed);
 }
 
-int PositionCorrection::sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most) {
-    double smallest = 2.0 * bodies.radius[contacts.front().a];
+int PositionCorrection::sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most,
+                                            const Communicator& ranks) {
+    double smallest = std::numeric_limits<double>::max();
     for (const contact::Contact& c : contacts) smallest = std::min(smallest, 2.0 * bodies.radius[c.a]);
-    const double settled = kSettled * smallest;
+    const double settled = kSettled * ranks.min(smallest);
     const Pack none = Pack::all(0.0);
     for (int sweep = 1; sweep <= most; ++sweep) {
         Pack farthest = none;
-        for (FrictionlessBatch& batch : batch_)
-            farthest = max(farthest, update<false>(batch, line_.data(), nullptr, none));
-        if (std::sqrt(max_lanes(farthest)) <= settled) return sweep;
+        const auto run = [&](std::uint32_t from, std::uint32_t to) {
+            for (std::uint32_t k = from; k < to; ++k)
+                for (std::uint32_t b = layout_.blocks()[k].begin; b < layout_.blocks()[k].end; ++b)
+                    farthest = max(farthest, update<false>(batch_[b], line_.data(), nullptr, none));
+        };
+        for (std::size_t phase = 0; phase < kPhases; ++phase) {
+            const Layout::PhaseBlocks& range = layout_.phase(phase);
+            run(range.begin, range.inner);
+            exchange_.send(phase, line_.data());
+            run(range.inner, range.end);
+            exchange_.receive(phase, line_.data());
+        }
+        if (std::sqrt(ranks.max(max_lanes(farthest))) <= settled) return sweep;
     }
     return most;
 }
 
-CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std::size_t closed, double block_size,
-                                           contact::CandidateList& candidates, State& state) {
+CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std::size_t closed,
+                                           contact::CandidateList& candidates, Domain& domain, State& state) {
     CorrectionReport report;
     Bodies& bodies = state.bodies;
-    const contact::ContactSet& contacts = near_.find(scene, state, step, candidates);
-    if (contacts.empty()) {
-        report.penetration = measure(contacts, bodies, closed);
+    const Communicator& ranks = domain.ranks();
+    const contact::ContactSet& contacts = near_.find(scene, state, step, candidates, domain);
+    if (!ranks.any(!contacts.empty())) {
+        report.penetration = measure(contacts, bodies, ranks, closed);
         return report;
     }
-    layout_.arrange(contacts, bodies, block_size);
+    layout_.arrange(contacts, bodies, state.block_size, domain.halo().shared_flags());
     assemble(contacts, bodies, scene.correction.share);
     if (scene.correction.on) {
-        report.sweeps = sweep_until_settled(contacts, bodies, scene.correction.sweeps);
+        exchange_.set_up(ranks, domain.halo(), contacts, layout_, 3);
+        report.sweeps = sweep_until_settled(contacts, bodies, scene.correction.sweeps, ranks);
+        exchange_.spread(line_.data());
         const Vec3 gravity = scene.gravity.at(state.time + step);
+        ExactSum work;
+        add_over_bodies(bodies, std::span<ExactSum, 1>(&work, 1), [&](std::size_t i) {
+            const SlidingLine& line = line_[layout_.line(i)];
+            return std::array<double, 1>{-bodies.mass[i] * gravity.dot(Vec3(line.v[0], line.v[1], line.v[2]))};
+        });
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             const SlidingLine& line = line_[layout_.line(i)];
-            const Vec3 d(line.v[0], line.v[1], line.v[2]);
-            bodies.position[i] += d;
-            report.work -= bodies.mass[i] * gravity.dot(d);
+            bodies.position[i] += Vec3(line.v[0], line.v[1], line.v[2]);
         }
+        report.work = ranks.sum(work);
     }
-    report.penetration = measure(contacts, bodies, closed);
+    report.penetration = measure(contacts, bodies, ranks, closed);
     return report;
 }
 

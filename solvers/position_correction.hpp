@@ -12,6 +12,7 @@
 #include "core/step_report.hpp"
 #include "solvers/batch.hpp"
 #include "solvers/layout.hpp"
+#include "solvers/line_exchange.hpp"
 
 namespace scree::solvers {
 
@@ -25,18 +26,23 @@ class PositionCorrection {
   public:
     // `state` has the positions of the end of the step from state.time on. `closed`: contacts with an impulse in this
     // step, over which the mean penetration is taken (overlaps count too).
-    CorrectionReport apply(const Scene& scene, double step, std::size_t closed, double block_size,
-                           contact::CandidateList& candidates, State& state);
+    // Collective; the report is that of all ranks.
+    CorrectionReport apply(const Scene& scene, double step, std::size_t closed, contact::CandidateList& candidates,
+                           Domain& domain, State& state);
+    const Traffic& traffic() { return exchange_.traffic(); }
     std::size_t bytes() const;
 
   private:
     void assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share);
     // At most `most` sweeps; returns how many.
-    int sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most);
-    Penetration measure(const contact::ContactSet& contacts, const Bodies& bodies, std::size_t closed) const;
+    int sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most,
+                            const Communicator& ranks);
+    Penetration measure(const contact::ContactSet& contacts, const Bodies& bodies, const Communicator& ranks,
+                        std::size_t closed) const;
 
     contact::NearContacts near_;
     Layout layout_;
+    LineExchange exchange_;
     LineVector<FrictionlessBatch> batch_;
     LineVector<SlidingLine> line_;  // displacements [m]: ground, bodies
 };

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <variant>
 
-#include "contact/cell_grid.hpp"
-#include "contact/sphere_sphere.hpp"
 #include "contact/walls/wall_contact.hpp"
 #include "solvers/energy.hpp"
 #include "solvers/flows.hpp"
@@ -15,6 +13,7 @@ namespace scree::solvers {
 namespace {
 
 constexpr int kMostHalvings = 20;
+constexpr std::uint64_t kStepsOfBlocks = 256;  // between looks at the sizes of what inlets brought
 
 // Fastest thin wall near body i [m/s]: a wall can pass a body as a body can pass a wall.
 double thin_wall_speed(const Scene& scene, const State& state, std::size_t i, double step) {
@@ -28,12 +27,8 @@ double thin_wall_speed(const Scene& scene, const State& state, std::size_t i, do
 
 // Into how many equal substeps this step is cut, a power of two: no body moves more than max_travel of its radius,
 // relative to the thin walls.
-int substeps(const Scene& scene, const Plan& plan, const State& state) {
+int substeps(const Scene& scene, const Plan& plan, const State& state, const Communicator& ranks) {
     if (scene.time.max_travel <= 0.0) return 1;
-    const bool can_pass =
-        state.bodies.size() > 1 ||
-        std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& w) { return contact::is_thin(w.shape); });
-    if (!can_pass) return 1;
     const double h = scene.time.step, g = scene.gravity.at(state.time + 0.5 * h).norm();
     double most = 0.0;  // radii moved in this step
     for (std::size_t i = 0; i < state.bodies.size(); ++i) {
@@ -41,6 +36,12 @@ int substeps(const Scene& scene, const Plan& plan, const State& state) {
         if (plan.moving_walls) speed += thin_wall_speed(scene, state, i, h);
         most = std::max(most, h * speed / state.bodies.radius[i]);
     }
+    most = ranks.max(most);
+    if (most <= scene.time.max_travel) return 1;
+    const bool can_pass =
+        ranks.sum(static_cast<std::uint64_t>(state.bodies.owned())) > 1 ||
+        std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& w) { return contact::is_thin(w.shape); });
+    if (!can_pass) return 1;
     int n = 1;
     for (int k = 0; k < kMostHalvings && most / n > scene.time.max_travel; ++k) n *= 2;
     return n;
@@ -83,23 +84,62 @@ void merge(const StepReport& part, StepReport& whole) {
 struct Stepper::Impl {
     const Scene& scene;
     const Plan& plan;
+    const Communicator& ranks;
+    Domain domain;
     std::variant<Substep<Frictional>, Substep<Frictionless>> substep;
     std::vector<WallLoad> loads;
     double last_step = 0.0;
+    std::vector<double> margin;   // scratch
+    std::vector<BlockWork> work;  // scratch
 
-    Impl(const Scene& s, const Plan& p) : scene(s), plan(p), substep(std::in_place_type<Substep<Frictionless>>, s, p) {
-        if (p.friction) substep.emplace<Substep<Frictional>>(s, p);
+    Impl(const Scene& s, const Plan& p, const Communicator& r)
+        : scene(s), plan(p), ranks(r), domain(r), substep(std::in_place_type<Substep<Frictionless>>, s, p, domain) {
+        if (p.friction) substep.emplace<Substep<Frictional>>(s, p, domain);
         loads.resize(s.walls.size());
     }
+    void start(State& state);
+    void choose_blocks(State& state);
+    void settle(State& state, bool changed);
     StepReport advance(State& state);
 };
 
-Stepper::Stepper(const Scene& scene, const Plan& plan) : impl_(std::make_unique<Impl>(scene, plan)) {}
+Stepper::Stepper(const Scene& scene, const Plan& plan, const Communicator& ranks)
+    : impl_(std::make_unique<Impl>(scene, plan, ranks)) {}
 Stepper::~Stepper() = default;
 
+// Blocks follow the sizes of the bodies; those of inlets may be others than those of the start.
+void Stepper::Impl::choose_blocks(State& state) {
+    if (state.block_size > 0.0 && !(plan.inlets && state.step % kStepsOfBlocks == 0)) return;
+    const double size =
+        scene.solver.block_size > 0.0 ? scene.solver.block_size : choose_block_size(state.bodies, ranks);
+    if (size == 0.0 || size == state.block_size) return;  // no bodies yet
+    state.block_size = size;
+    domain.forget();
+}
+
+void Stepper::Impl::start(State& state) {
+    choose_blocks(state);
+    if (domain.started() || state.block_size == 0.0) return;
+    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
+    domain.start(state, margin, scene.time.step);
+    std::visit([](auto& s) { s.bodies_changed(); }, substep);
+}
+
+// Bodies to their ranks for the next step.
+void Stepper::Impl::settle(State& state, bool changed) {
+    if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
+    if (domain.alone() || !domain.started()) return;
+    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
+    work.clear();
+    std::visit([this](const auto& s) { s.add_work(work); }, substep);
+    if (domain.settle(state, margin, scene.time.step, work, changed))
+        std::visit([](auto& s) { s.bodies_changed(); }, substep);
+}
+
 StepReport Stepper::Impl::advance(State& state) {
+    start(state);
     std::fill(loads.begin(), loads.end(), WallLoad{});
-    const int parts = substeps(scene, plan, state);
+    const int parts = substeps(scene, plan, state, ranks);
     if (parts > 1) ++state.totals.substepped;
     const double begin = state.time, h = scene.time.step / parts;
     StepReport whole;
@@ -112,11 +152,47 @@ StepReport Stepper::Impl::advance(State& state) {
     ++state.step;
     state.time = static_cast<double>(state.step) * scene.time.step;
     last_step = scene.time.step;
-    bool changed = plan.outlets && take_bodies(scene, state);
-    changed = (plan.inlets && make_bodies(scene, plan, state)) || changed;
-    if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
-    update_energies(scene, state);
+    bool changed = plan.outlets && take_bodies(scene, state, ranks);
+    changed = (plan.inlets && make_bodies(scene, plan, state, ranks)) || changed;
+    settle(state, changed);
+    update_energies(scene, state, ranks);
     return whole;
+}
+
+void Stepper::start(State& state) {
+    impl_->start(state);
+}
+
+WarmStart Stepper::own_impulses(const State& state) const {
+    const std::vector<std::uint8_t>& own = impl_->domain.halo().own_impulses();
+    const WarmStart& warm = state.warm_start;
+    if (impl_->domain.alone()) return warm;
+    WarmStart mine;
+    mine.step = warm.step;
+    for (std::size_t k = 0; k < warm.key.size(); ++k) {
+        if (k < own.size() && own[k] == 0) continue;
+        mine.key.push_back(warm.key[k]);
+        if (!warm.impulse_vector.empty()) mine.impulse_vector.push_back(warm.impulse_vector[k]);
+        if (!warm.impulse_normal.empty()) mine.impulse_normal.push_back(warm.impulse_normal[k]);
+    }
+    return mine;
+}
+
+RankReport Stepper::rank_report(const State& state) const {
+    const Halo& halo = impl_->domain.halo();
+    const Traffic traffic = std::visit([](auto& s) { return s.traffic(); }, impl_->substep);
+    RankReport report;
+    report.own = state.bodies.owned();
+    report.ghosts = state.bodies.size() - report.own;
+    report.contacts = std::visit([](const auto& s) { return s.contacts(); }, impl_->substep);
+    report.neighbours = halo.neighbours().size();
+    report.messages = traffic.messages;
+    report.bytes = traffic.bytes;
+    report.wait_seconds = traffic.wait_seconds;
+    report.repartitions = impl_->domain.repartitions();
+    report.migrated = halo.migrated();
+    report.imbalance = impl_->domain.imbalance();
+    return report;
 }
 
 StepReport Stepper::advance(State& state) {
@@ -134,44 +210,6 @@ double Stepper::last_step() const {
 }
 std::size_t Stepper::bytes() const {
     return std::visit([](const auto& s) { return s.bytes(); }, impl_->substep);
-}
-
-std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative) {
-    const Bodies& bodies = state.bodies;
-    std::vector<contact::Ball> balls(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const Vec3& x = bodies.position[i];
-        balls[i] = {x.x(), x.y(), x.z(), bodies.radius[i]};
-    }
-    std::vector<contact::BodyPair> pairs;
-    contact::CellGrid grid;
-    grid.find_pairs(balls, pairs);
-    std::sort(pairs.begin(), pairs.end());
-    std::vector<Overlap> overlaps;
-    for (const auto& [i, j] : pairs) {
-        const contact::SphereGap g = contact::sphere_sphere(bodies.position[i], bodies.position[j],
-                                                            bodies.radius[i] + bodies.radius[j], Vec3::Zero());
-        if (-g.gap > relative * std::min(bodies.radius[i], bodies.radius[j]))
-            overlaps.push_back({ContactKey::bodies(bodies.id[i], bodies.id[j]), -g.gap,
-                                bodies.position[i] - (bodies.radius[i] + 0.5 * g.gap) * g.normal});
-    }
-    for (std::uint32_t w = 0; w < scene.walls.size(); ++w) {
-        const Wall& wall = scene.walls[w];
-        if (!wall.present(state.time)) continue;
-        const WallPose pose = pose_at(wall.motion, state.time);
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            contact::WallContacts found;
-            contact::find_contacts(wall.shape, pose.to_local(bodies.position[i]), bodies.radius[i], 0.0, found);
-            for (int k = 0; k < found.count; ++k) {
-                const contact::WallContact& c = found.item[static_cast<std::size_t>(k)];
-                if (-c.gap > relative * bodies.radius[i])
-                    overlaps.push_back(
-                        {ContactKey::wall(bodies.id[i], WallIndex{w}, c.feature), -c.gap,
-                         bodies.position[i] - (bodies.radius[i] + 0.5 * c.gap) * (pose.rotation * c.normal)});
-            }
-        }
-    }
-    return overlaps;
 }
 
 }  // namespace scree::solvers

@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "core/contact_record.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "core/step_report.hpp"
+#include "solvers/rank_report.hpp"
 
 namespace scree::solvers {
 
@@ -26,8 +28,13 @@ struct WallLoad {
 
 class Stepper {
   public:
-    Stepper(const Scene& scene, const Plan& plan);
+    // `ranks` must outlive the stepper. All functions that take a state are collective.
+    Stepper(const Scene& scene, const Plan& plan, const Communicator& ranks = Communicator::self());
     ~Stepper();
+
+    // Before the first step and the first look at bodies by measures: bodies, which may lie on any ranks, go to where
+    // they belong. Does nothing with one rank, or when it was done; advance() does it too.
+    void start(State& state);
 
     // One scenario step: from state.time to state.time + time.step, cut into substeps when bodies are too fast. Adds to
     // state.totals and to the ledger; inlets and outlets act at its end. Throws PhysicsError on non-finite velocities.
@@ -39,6 +46,12 @@ class Stepper {
     const std::vector<WallLoad>& wall_loads() const;  // one a wall
     double last_step() const;                         // [s] length of the last scenario step
 
+    // Impulses of the last step that this rank solved, in order of key; over all ranks they are disjoint. For
+    // checkpoints.
+    WarmStart own_impulses(const State& state) const;
+    // What this rank has and did so far, as a part of many.
+    RankReport rank_report(const State& state) const;
+
     // Bytes held by the stepper's own arrays (not the state's).
     std::size_t bytes() const;
 
@@ -46,17 +59,5 @@ class Stepper {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-// Sets the ledger's energies at the start of a run.
-void start_ledger(const Scene& scene, State& state);
-
-// Overlaps of the bodies as they stand, with each other and with the walls present at state.time: deeper than
-// `relative` of the smaller radius. For `check` and for a warning at the start.
-struct Overlap {
-    ContactKey key;
-    double depth;  // [m]
-    Vec3 point;
-};
-std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative);
 
 }  // namespace scree::solvers

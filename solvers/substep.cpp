@@ -1,5 +1,6 @@
 #include "solvers/substep.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "solvers/energy.hpp"
@@ -7,6 +8,9 @@
 
 namespace scree::solvers {
 namespace {
+
+constexpr std::size_t kLoadSums = 6;       // a wall: impulse and angular impulse
+constexpr std::uint64_t kContactWork = 4;  // of a contact in a step, where a body is 1
 
 // q + half v, and the orientations, if any.
 void move(Bodies& bodies, double half) {
@@ -19,21 +23,6 @@ void move(Bodies& bodies, double half) {
     }
 }
 
-struct Momentum {
-    Vec3 sum = Vec3::Zero();  // sum m v [N s]
-    double size = 0.0;        // sum m |v|
-    double mass = 0.0;
-};
-Momentum momentum_of(const Bodies& bodies) {
-    Momentum p;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        p.sum += bodies.mass[i] * bodies.velocity[i];
-        p.size += bodies.mass[i] * bodies.velocity[i].norm();
-        p.mass += bodies.mass[i];
-    }
-    return p;
-}
-
 }  // namespace
 
 template <class Law>
@@ -42,12 +31,11 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     const contact::StepTimes times{state.time, step};
     StepReport report;
     report.step = step;
-    report.bodies = state.bodies.size();
+    report.bodies = domain_.ranks().sum(static_cast<std::uint64_t>(state.bodies.owned()));
 
     // bodies at the middle of the step, and their contacts there
     move(state.bodies, 0.5 * step);
     find_contacts(state, times);
-    report.contacts = contacts_.size();
     clock.lap(Phase::detection);
 
     // the contact problem, started from the last step's impulses
@@ -55,6 +43,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     clock.lap(Phase::setup);
     const SolveReport solved = gauss_seidel(problem_, scene_.solver);
     problem_.rebuild_lines(state, step * scene_.gravity.at(times.middle()));
+    report.contacts = problem_.contacts();
     report.sweeps = solved.sweeps;
     report.residual_rms = solved.residual.rms;
     report.residual_max = solved.residual.max;
@@ -68,7 +57,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     clock.lap(Phase::integration);
 
     if (plan_.contact_records) make_records(state, times);
-    const CorrectionReport corrected = correction_.apply(scene_, step, report.active, block_size_, candidates_, state);
+    const CorrectionReport corrected = correction_.apply(scene_, step, active_, candidates_, domain_, state);
     state.ledger[Work::correction] += corrected.work;
     report.penetration = corrected.penetration;
     clock.lap(Phase::correction);
@@ -77,17 +66,19 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
 
 template <class Law>
 void Substep<Law>::find_contacts(State& state, const contact::StepTimes& times) {
-    contact::contact_margins(scene_, state, times, margin_);
+    contact::contact_margins(scene_, state, times, margin_, domain_.ranks());
+    if (domain_.cover(state, margin_, times.step)) {
+        candidates_.invalidate();
+        contact::contact_margins(scene_, state, times, margin_, domain_.ranks());
+    }
     candidates_.update(scene_, state, times.step, margin_);
-    contact::find_contacts(scene_, state, times, candidates_, contacts_);
+    contact::find_contacts(scene_, state, times, candidates_, domain_, contacts_);
 }
 
 template <class Law>
 void Substep<Law>::set_up(State& state, const contact::StepTimes& times) {
-    if (block_size_ == 0.0)
-        block_size_ =
-            scene_.solver.block_size > 0.0 ? scene_.solver.block_size : choose_block_size(state.bodies.radius);
-    layout_.arrange(contacts_, state.bodies, block_size_);
+    layout_.arrange(contacts_, state.bodies, state.block_size, domain_.halo().shared_flags());
+    exchange_.set_up(domain_.ranks(), domain_.halo(), contacts_, layout_, Law::kImpulse == 3 ? 6 : 3);
     if (plan_.moving_walls) {
         wall_velocity_.assign(contacts_.size(), Vec3::Zero());
         for (std::size_t c = 0; c < contacts_.size(); ++c) {
@@ -109,48 +100,79 @@ void Substep<Law>::set_up(State& state, const contact::StepTimes& times) {
 template <class Law>
 void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, StepReport& report,
                                std::vector<WallLoad>& loads) {
-    Ledger& ledger = state.ledger;
-    const ContactWork work = problem_.work(state);
-    ledger[Work::restitution] += work.normal;
-    ledger[Work::friction] += work.tangential;
-    ledger.gained += work.gained;
-    const Momentum before = momentum_of(state.bodies);
-    if (plan_.changing_gravity) {  // potential energy that comes with gravity itself, see core/ledger.hpp
-        const Vec3 begin = scene_.gravity.at(times.begin), middle = scene_.gravity.at(times.middle()),
-                   end = scene_.gravity.at(times.begin + times.step);
-        const Vec3 at_middle = weighted_position(state.bodies);
-        const Vec3 old = at_middle - 0.5 * times.step * before.sum;
-        problem_.velocities(state);
-        const Vec3 last = at_middle + 0.5 * times.step * momentum_of(state.bodies).sum;
-        ledger[Work::gravity] -= (end - middle).dot(last) + (middle - begin).dot(old);
-    } else {
-        problem_.velocities(state);
-    }
+    const Communicator& ranks = domain_.ranks();
+    const Vec3 gravity = scene_.gravity.at(times.middle());
+    // all sums over bodies and contacts of this step, in one reduction
+    constexpr std::size_t kWork = 0, kBefore = 3, kAfter = kBefore + kMomentumSums, kPlace = kAfter + kMomentumSums,
+                          kWalls = kPlace + kPositionSums, kSums = kWalls + 4;
+    std::array<ExactSum, kSums> sums;
+    const std::span<ExactSum, kSums> all(sums);
+    problem_.add_work(state, all.template subspan<kWork, 3>());
+    add_momentum(state.bodies, all.template subspan<kBefore, kMomentumSums>());
+    if (plan_.changing_gravity) add_weighted_position(state.bodies, all.template subspan<kPlace, kPositionSums>());
+    problem_.velocities(state);
+    add_momentum(state.bodies, all.template subspan<kAfter, kMomentumSums>());
     problem_.impulses(impulse_, impulse_normal_);
-    keep_for_warm_start(contacts_, impulse_, impulse_normal_, times.step, state.warm_start);
-    report.active = state.warm_start.key.size();
+    load_walls(state, times, all.template subspan<kWalls, 4>(), loads);
+    ranks.sum(all);
 
-    Vec3 from_walls = Vec3::Zero();
+    Ledger& ledger = state.ledger;
+    ledger[Work::restitution] += sums[kWork].value();
+    ledger[Work::friction] += sums[kWork + 1].value();
+    ledger.gained += sums[kWork + 2].value();
+    ledger[Work::walls] += sums[kWalls + 3].value();
+    const Momentum before = read_momentum(all.template subspan<kBefore, kMomentumSums>());
+    const Momentum after = read_momentum(all.template subspan<kAfter, kMomentumSums>());
+    if (plan_.changing_gravity) {  // potential energy that comes with gravity itself, see core/ledger.hpp
+        const Vec3 begin = scene_.gravity.at(times.begin), end = scene_.gravity.at(times.begin + times.step);
+        const Vec3 at_middle = read_weighted_position(all.template subspan<kPlace, kPositionSums>());
+        const Vec3 old = at_middle - 0.5 * times.step * before.sum, last = at_middle + 0.5 * times.step * after.sum;
+        ledger[Work::gravity] -= (end - gravity).dot(last) + (gravity - begin).dot(old);
+    }
+    if (!std::isfinite(after.size))
+        throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
+    const Vec3 from_walls(sums[kWalls].value(), sums[kWalls + 1].value(), sums[kWalls + 2].value());
+    const Vec3 error = after.sum - before.sum - times.step * after.mass * gravity - from_walls;
+    // bodies at rest have no momentum to compare with: the step's weight stands in
+    const double size = after.size + times.step * after.mass * gravity.norm();
+    if (size > 0.0) report.momentum_error = error.norm() / size;
+
+    keep_for_warm_start(contacts_, impulse_, impulse_normal_, times.step, state.warm_start);
+    active_ = state.warm_start.key.size();
+    report.active = ranks.sum(static_cast<std::uint64_t>(active_));
+    domain_.halo().share_impulses(state);
+}
+
+// Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work.
+template <class Law>
+void Substep<Law>::load_walls(const State& state, const contact::StepTimes& times, std::span<ExactSum, 4> sums,
+                              std::vector<WallLoad>& loads) {
+    load_sums_.assign(kLoadSums * loads.size(), ExactSum{});
+    load_contacts_.assign(loads.size(), 0);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         const contact::Contact& contact = contacts_[c];
         if (!contact.key.is_wall()) continue;
         const Vec3 p = Law::kImpulse == 3 ? impulse_[c] : Vec3(impulse_normal_[c] * contact.normal);
         if (p.isZero(0.0)) continue;
-        from_walls += p;
-        WallLoad& load = loads[contact.b];
-        load.impulse -= p;
-        load.angular -= contact.point(state.bodies.position[contact.a], state.bodies.radius[contact.a]).cross(p);
-        ++load.contacts;
-        if (!wall_velocity_.empty()) ledger[Work::walls] += p.dot(wall_velocity_[c]);
+        const Vec3 turn = contact.point(state.bodies.position[contact.a], state.bodies.radius[contact.a]).cross(p);
+        ExactSum* load = load_sums_.data() + kLoadSums * contact.b;
+        for (int d = 0; d < 3; ++d) {
+            load[d].add(p[d]);
+            load[3 + d].add(turn[d]);
+        }
+        ++load_contacts_[contact.b];
+        if (!wall_velocity_.empty()) sums[3].add(p.dot(wall_velocity_[c]));
     }
-    const Momentum after = momentum_of(state.bodies);
-    if (!std::isfinite(after.size))
-        throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
-    const Vec3 error =
-        after.sum - before.sum - times.step * after.mass * scene_.gravity.at(times.middle()) - from_walls;
-    // bodies at rest have no momentum to compare with: the step's weight stands in
-    const double size = after.size + times.step * after.mass * scene_.gravity.at(times.middle()).norm();
-    if (size > 0.0) report.momentum_error = error.norm() / size;
+    for (std::size_t w = 0; w < loads.size(); ++w)
+        for (std::size_t d = 0; d < 3; ++d) sums[d].add(load_sums_[kLoadSums * w + d]);
+    domain_.ranks().sum(std::span<ExactSum>(load_sums_));
+    domain_.ranks().sum(std::span<std::uint64_t>(load_contacts_));
+    for (std::size_t w = 0; w < loads.size(); ++w) {
+        const ExactSum* load = load_sums_.data() + kLoadSums * w;
+        loads[w].impulse -= Vec3(load[0].value(), load[1].value(), load[2].value());
+        loads[w].angular -= Vec3(load[3].value(), load[4].value(), load[5].value());
+        loads[w].contacts += load_contacts_[w];
+    }
 }
 
 template <class Law>
@@ -183,9 +205,19 @@ void Substep<Law>::make_records(const State& state, const contact::StepTimes& ti
 }
 
 template <class Law>
-void Substep<Law>::bodies_changed() {
-    candidates_.invalidate();
-    block_size_ = 0.0;
+void Substep<Law>::add_work(std::vector<BlockWork>& work) const {
+    for (const contact::ContactHome& home : layout_.homes()) work.push_back({home.block, kContactWork});
+}
+
+template <class Law>
+Traffic Substep<Law>::traffic() {
+    Traffic all = domain_.halo().traffic();
+    for (const Traffic& t : {exchange_.traffic(), correction_.traffic()}) {
+        all.messages += t.messages;
+        all.bytes += t.bytes;
+        all.wait_seconds += t.wait_seconds;
+    }
+    return all;
 }
 
 template <class Law>

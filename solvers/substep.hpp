@@ -2,11 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <span>
 #include <vector>
 
 #include "contact/candidate_list.hpp"
 #include "contact/find_contacts.hpp"
 #include "core/contact_record.hpp"
+#include "core/parallel/domain.hpp"
 #include "core/plan.hpp"
 #include "solvers/contact_problem.hpp"
 #include "solvers/gauss_seidel.hpp"
@@ -34,29 +36,43 @@ class PhaseClock {
 template <class Law>
 class Substep {
   public:
-    Substep(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
+    Substep(const Scene& scene, const Plan& plan, Domain& domain)
+        : scene_(scene), plan_(plan), domain_(domain), problem_(domain.ranks()) {
+        if (!domain.alone()) problem_.exchange_by(&exchange_);
+    }
 
     // From state.time to state.time + step. Adds to the loads on the walls.
     StepReport advance(State& state, double step, std::vector<WallLoad>& loads);
-    // Bodies came or went.
-    void bodies_changed();
+    // Bodies came, went or changed ranks.
+    void bodies_changed() { candidates_.invalidate(); }
     const std::vector<ContactRecord>& records() const { return records_; }
+    // Appends the work of this rank's blocks in the last step.
+    void add_work(std::vector<BlockWork>& work) const;
+    const std::vector<double>& margins() const { return margin_; }
+    Traffic traffic();
+    std::size_t contacts() const { return contacts_.size(); }
     std::size_t bytes() const;
 
   private:
     void find_contacts(State& state, const contact::StepTimes& times);
     void set_up(State& state, const contact::StepTimes& times);
     void keep_ledger(State& state, const contact::StepTimes& times, StepReport& report, std::vector<WallLoad>& loads);
+    void load_walls(const State& state, const contact::StepTimes& times, std::span<ExactSum, 4> sums,
+                    std::vector<WallLoad>& loads);
     void make_records(const State& state, const contact::StepTimes& times);
 
     const Scene& scene_;
     const Plan& plan_;
+    Domain& domain_;
+    LineExchange exchange_;
     contact::CandidateList candidates_;
     contact::ContactSet contacts_;
     Layout layout_;
     ContactProblem<Law> problem_;
     PositionCorrection correction_;
-    double block_size_ = 0.0;             // [m]; 0: not chosen yet
+    std::vector<ExactSum> load_sums_;  // six a wall
+    std::vector<std::uint64_t> load_contacts_;
+    std::size_t active_ = 0;              // contacts of this rank with an impulse
     std::vector<double> margin_;          // [m], n
     std::vector<Vec3> wall_velocity_;     // [m/s], one a contact; empty without moving walls
     std::vector<Vec3> impulse_;           // [N s], one a contact (friction)

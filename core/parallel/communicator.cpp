@@ -53,7 +53,15 @@ void Communicator::sum(std::span<std::int64_t> values) const {
 }
 void Communicator::sum(std::span<ExactSum> values) const {
     if (alone()) return;
-    for (ExactSum& value : values) sum(value.digits());
+    std::vector<std::int64_t> all;  // one message
+    for (ExactSum& value : values) all.insert(all.end(), value.digits().begin(), value.digits().end());
+    sum(std::span<std::int64_t>(all));
+    auto from = all.begin();
+    for (ExactSum& value : values) {
+        const std::span<std::int64_t> digits = value.digits();
+        std::copy_n(from, digits.size(), digits.begin());
+        from += static_cast<std::ptrdiff_t>(digits.size());
+    }
 }
 double Communicator::max(double value) const {
     max(std::span<double>(&value, 1));
@@ -105,6 +113,21 @@ std::vector<std::vector<double>> Communicator::gather(std::span<const double> va
     if (root())
         for (auto row = all.begin(); row != all.end(); row += count) result.emplace_back(row, row + count);
     return result;
+}
+
+std::vector<std::byte> Communicator::all_gather(std::span<const std::byte> bytes) const {
+    if (alone()) return {bytes.begin(), bytes.end()};
+    std::vector<int> count(static_cast<std::size_t>(size_)), begin(count.size());
+    const int own = static_cast<int>(bytes.size());
+    MPI_Allgather(&own, 1, MPI_INT, count.data(), 1, MPI_INT, comm_of(*this));
+    int total = 0;
+    for (std::size_t r = 0; r < count.size(); ++r) {
+        begin[r] = total;
+        total += count[r];
+    }
+    std::vector<std::byte> all(static_cast<std::size_t>(total));
+    MPI_Allgatherv(bytes.data(), own, MPI_BYTE, all.data(), count.data(), begin.data(), MPI_BYTE, comm_of(*this));
+    return all;
 }
 
 // Nonblocking consensus (Hoefler, Siebert and Lumsdaine 2010): synchronous sends, and a barrier once they are taken.

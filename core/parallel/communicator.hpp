@@ -47,6 +47,9 @@ class Communicator {
     // The numbers of each rank, on rank 0 only (for reports; a few numbers a rank).
     std::vector<std::vector<double>> gather(std::span<const double> values) const;
 
+    // The bytes of all ranks, one rank after the other, on every rank: for what is few.
+    std::vector<std::byte> all_gather(std::span<const std::byte> bytes) const;
+
     // Messages to a few ranks, when the receivers do not know who writes. Sorted by the sender's rank. A message to
     // oneself arrives too. At most one message a receiver.
     struct Message {

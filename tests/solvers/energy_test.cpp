@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/stepper.hpp"
 #include "tests/testing/small_scene.hpp"
 
 namespace scree::solvers {

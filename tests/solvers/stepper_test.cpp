@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/state_hash.hpp"
+#include "solvers/find_overlaps.hpp"
 #include "tests/testing/world.hpp"
 
 namespace scree::solvers {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/plan.hpp"
+#include "solvers/energy.hpp"
 #include "solvers/stepper.hpp"
 #include "tests/testing/small_scene.hpp"
 

@@ -1,0 +1,33 @@
+// Where a contact is solved: in the block that holds its contact point, by the rank that owns the block; if a body of
+// it is wider than a block, after all blocks and by one rank. Every rank that finds the contact finds it from the same
+// bits, so all come to the same answer.
+#pragma once
+
+#include "contact/contact_set.hpp"
+#include "core/bodies.hpp"
+#include "core/parallel/blocks.hpp"
+#include "core/parallel/domain.hpp"
+
+namespace scree::contact {
+
+struct ContactHome {
+    BlockIndex block;
+    bool wide;
+};
+
+inline ContactHome home_of(const Contact& contact, const Bodies& bodies, double block_size) {
+    const double ra = bodies.radius[contact.a];
+    const double widest = contact.key.is_wall() ? ra : std::max(ra, bodies.radius[contact.b]);
+    return {block_of(contact.point(bodies.position[contact.a], ra), block_size),
+            2.0 * widest + std::abs(contact.gap) >= block_size};
+}
+
+// A contact of a body that only this rank holds is this rank's without a look at blocks.
+inline bool solved_here(const Contact& contact, const State& state, const Domain& domain) {
+    const Halo& halo = domain.halo();
+    if (domain.alone() || !halo.shared(contact.a) || (!contact.key.is_wall() && !halo.shared(contact.b))) return true;
+    const ContactHome home = home_of(contact, state.bodies, state.block_size);
+    return (home.wide ? kWideRank : domain.partition().owner(home.block)) == domain.ranks().rank();
+}
+
+}  // namespace scree::contact

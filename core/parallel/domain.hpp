@@ -1,0 +1,52 @@
+// The part of a scene that one rank works on: the partition of space, the halo, and when they are made anew. With one
+// rank it does nothing.
+#pragma once
+
+#include <vector>
+
+#include "core/parallel/communicator.hpp"
+#include "core/parallel/halo.hpp"
+#include "core/parallel/partition.hpp"
+#include "core/state.hpp"
+
+namespace scree {
+
+class Domain {
+  public:
+    explicit Domain(const Communicator& ranks = Communicator::self()) : ranks_(ranks), halo_(ranks) {}
+
+    const Communicator& ranks() const { return ranks_; }
+    bool alone() const { return ranks_.alone(); }
+    Halo& halo() { return halo_; }
+    const Halo& halo() const { return halo_; }
+    const Partition& partition() const { return partition_; }
+
+    // Collective. Makes sure that every rank holds what may touch its blocks while bodies stay within their margins [m]
+    // (one a body). Returns true if bodies were exchanged: indices have changed then. Bodies keep their owners.
+    bool cover(State& state, const std::vector<double>& margin, double step);
+    // The same at the end of a step, looking ahead to the middle of the next one; and bodies go to the owners of their
+    // blocks. `work`: of this rank's blocks in the last step; when the largest share of a rank is too far above the
+    // mean, space is cut anew first. `changed`: bodies came or went.
+    bool settle(State& state, const std::vector<double>& margin, double step, const std::vector<BlockWork>& work,
+                bool changed);
+    // Before the first step: bodies lie on any ranks.
+    void start(State& state, const std::vector<double>& margin, double step);
+    // Blocks have another size: partition and halo mean nothing until start() is called again.
+    void forget() { started_ = false; }
+    bool started() const { return alone() || started_; }
+
+    std::uint64_t repartitions() const { return repartitions_; }
+    double imbalance() const { return imbalance_; }  // largest work of a rank over the mean, when last looked at
+
+  private:
+    void balance(const State& state, const std::vector<BlockWork>& work);
+
+    const Communicator& ranks_;
+    Partition partition_;
+    Halo halo_;
+    bool started_ = false;
+    std::uint64_t repartitions_ = 0;
+    double imbalance_ = 1.0;
+};
+
+}  // namespace scree

@@ -1,0 +1,89 @@
+// Who holds which body. A body belongs to one rank: the owner of the block that holds its centre when bodies change
+// ranks. It is also held, as a ghost, by every rank that owns a block into which it may reach: then each contact has
+// both its bodies on the rank that owns the block of the contact point, and that rank solves it. All ranks that hold a
+// body move it alike, with the same bits; what one rank alone computes (impulses' effect, pushes) they tell each other.
+//
+// A body may reach a block within  r_i + s_i + e  of its centre, where s_i is room to move and e the farthest that half
+// a gap can lie off a body. The halo holds as long as |x_i - x_i(then)| + m_i <= s_i and m_i <= e for every body, m_i
+// the margin within which contacts are looked for.
+//
+// Bodies too wide for a block have their contacts with rank 0, which holds them and all that is near them: they are
+// meant to be few.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/parallel/communicator.hpp"
+#include "core/parallel/neighbour_messages.hpp"
+#include "core/parallel/partition.hpp"
+#include "core/state.hpp"
+
+namespace scree {
+
+inline constexpr int kWideRank = 0;  // solves the contacts of bodies wider than a block
+
+class Halo {
+  public:
+    explicit Halo(const Communicator& ranks) : ranks_(ranks) {}
+
+    // Collective: makes the halo anew from where the bodies are; with `migrate` each body goes to the owner of its
+    // block first. `margin`: of each body in state.bodies [m]. `step`: h [s], to judge how far bodies will move.
+    // Impulses of the last step follow their bodies. Ids stay in order; indices change.
+    struct Settings {
+        double block_size;  // [m]
+        double step;        // [s]
+        bool migrate;
+    };
+    void rebuild(const Partition& partition, const Settings& settings, const std::vector<double>& margin, State& state);
+    // Whether every body of this rank is still within its reach, also after moving on for `step_ahead` [s]; not
+    // collective.
+    bool holds(const State& state, const std::vector<double>& margin, double step_ahead) const;
+
+    // Another rank that holds bodies of this one, and which: indices into state.bodies, in order of id, the same list
+    // on both sides.
+    struct Neighbour {
+        int rank;
+        std::vector<std::uint32_t> shared;
+    };
+    const std::vector<Neighbour>& neighbours() const { return neighbour_; }
+    std::span<const int> neighbour_ranks() const { return neighbour_rank_; }
+    // Held by other ranks too.
+    bool shared(std::size_t body) const { return !shared_.empty() && shared_[body] != 0; }
+    const std::vector<std::uint8_t>& shared_flags() const { return shared_; }
+
+    // The largest of the values [one a body] that any holder of a body has; messages to neighbours.
+    void max_over_holders(std::vector<double>& value);
+    // The impulses that this rank solved, of contacts both of whose bodies another rank holds, go to it; `mine` marks
+    // this rank's own in state.warm_start.
+    void share_impulses(State& state);
+    const std::vector<std::uint8_t>& own_impulses() const { return own_impulse_; }
+
+    std::uint64_t rebuilds() const { return rebuilds_; }
+    std::uint64_t migrated() const { return migrated_; }  // bodies that this rank gave away
+    Traffic& traffic() { return traffic_; }
+    std::size_t bytes() const;
+
+  private:
+    struct Record;
+    void index_neighbours();
+    void forward_impulses(State& state, const std::vector<std::uint64_t>& id, const std::vector<std::vector<int>>& to);
+    void merge_impulses(State& state, std::vector<Communicator::Message>& incoming, bool of_local_bodies);
+
+    const Communicator& ranks_;
+    void follow(const Bodies& bodies);
+    std::vector<BodyId> id_;               // of the bodies when the halo was made
+    std::vector<std::vector<int>> other_;  // other holders of each body, n; empty for most
+    std::vector<std::uint8_t> shared_;     // n, or empty with one rank
+    std::vector<Neighbour> neighbour_;
+    std::vector<int> neighbour_rank_;
+    std::vector<Vec3> place_;                // [m] n: where the bodies were when the halo was made
+    std::vector<double> room_;               // [m] s, n
+    double most_margin_ = 0.0;               // [m] e
+    std::vector<std::uint8_t> own_impulse_;  // one an impulse of state.warm_start: solved here
+    std::uint64_t rebuilds_ = 0, migrated_ = 0;
+    Traffic traffic_;
+};
+
+}  // namespace scree

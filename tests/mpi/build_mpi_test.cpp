@@ -1,0 +1,124 @@
+// Bodies made in parts: together they are those that one rank makes, to the bit.
+#include "tests/scenarios/support.hpp"
+
+namespace scree {
+namespace {
+
+const std::string kSize = "size: {distribution: uniform, lower: 0.05, upper: 0.1}";
+
+testing::Result build_on(const std::string& text, const std::string& folder, const Communicator& ranks) {
+    io::Diagnostics diagnostics;
+    const io::ReadResult read = io::read_scenario_text(text, folder + "/test.yaml", {}, diagnostics);
+    testing::Result result;
+    if (!diagnostics.has_errors()) result.built = scenarios::build(read.root, folder, diagnostics, ranks);
+    result.errors = diagnostics.report();
+    result.warnings = diagnostics.warnings();
+    return result;
+}
+
+// Each body of this rank is one of the whole, with the same numbers, and no body is missing or made twice.
+void expect_parts_of(const State& whole, const State& part, const Communicator& ranks) {
+    const Bodies &a = whole.bodies, &b = part.bodies;
+    std::uint64_t id_sum = 0, expected_sum = 0;
+    for (const BodyId id : a.id) expected_sum += mix64(raw(id));
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        EXPECT_TRUE(i == 0 || raw(b.id[i - 1]) < raw(b.id[i]));
+        id_sum += mix64(raw(b.id[i]));
+        const auto k = static_cast<std::size_t>(raw(b.id[i]));  // ids of the whole count from 0
+        ASSERT_LT(k, a.size());
+        EXPECT_EQ(a.radius[k], b.radius[i]);
+        EXPECT_EQ(a.mass[k], b.mass[i]);
+        EXPECT_EQ(a.material[k], b.material[i]);
+        EXPECT_EQ(a.position[k], b.position[i]);
+        EXPECT_EQ(a.velocity[k], b.velocity[i]);
+        EXPECT_TRUE(!b.has_spin() || a.spin[k] == b.spin[i]);
+    }
+    EXPECT_EQ(ranks.sum(static_cast<std::uint64_t>(b.size())), a.size());
+    EXPECT_EQ(ranks.sum(id_sum), expected_sum);
+    EXPECT_EQ(whole.next_id, part.next_id);
+    EXPECT_EQ(ranks.any(b.has_spin()), a.has_spin());
+}
+
+void expect_same_on_all_ranks(const std::string& bodies, const std::string& folder = ".") {
+    const Communicator ranks = Communicator::world();
+    const std::string text = testing::kHead + "bodies:\n" + bodies;
+    const testing::Result whole = build_on(text, folder, Communicator::self());
+    const testing::Result part = build_on(text, folder, ranks);
+    EXPECT_EQ(whole.errors, part.errors);
+    EXPECT_EQ(whole.warnings, part.warnings);
+    EXPECT_EQ(whole.built.scene.origin, part.built.scene.origin);
+    if (whole.errors.empty()) expect_parts_of(whole.built.state, part.built.state, ranks);
+}
+
+std::string lattice(const std::string& more) {
+    return "  - {generator: lattice, material: glass, corner: [0, 0, 0], pitch: 0.2, jitter: 0.01, " + kSize + ", " +
+           more + "}\n";
+}
+
+TEST(Parts, Lattice) {
+    expect_same_on_all_ranks(lattice("cells: [7, 5, 3]"));
+    expect_same_on_all_ranks(lattice("cells: [7, 5, 3], count: 40, arrangement: hexagonal"));
+    expect_same_on_all_ranks(lattice("cells: [1, 1, 1]"));
+}
+
+TEST(Parts, LatticeInAClip) {
+    const std::string clip = "clip: {shape: sphere, centre: [0.7, 0.5, 0.3], radius: 0.4}";
+    expect_same_on_all_ranks(lattice("cells: [9, 9, 9], " + clip));
+    expect_same_on_all_ranks(lattice("cells: [9, 9, 9], count: 11, " + clip));
+    expect_same_on_all_ranks(lattice("cells: [9, 9, 9], count: 700, " + clip));  // too few places: an error
+}
+
+TEST(Parts, SpheresAndLatticesTogether) {
+    std::string text;
+    for (int i = 0; i < 7; ++i)
+        text += "  - {generator: sphere, material: steel, radius: 0.1, position: [" + std::to_string(i) + ", 5, 5]}\n";
+    expect_same_on_all_ranks(text + lattice("cells: [4, 4, 4]") + text);
+}
+
+TEST(Parts, RandomPlacesKeepClearOfAllBodiesBefore) {
+    const std::string random = "  - {generator: random, material: steel, " + kSize +
+                               ", count: 60, region: {shape: box, lower: [0, 0, 0], upper: [1, 1, 1]}}\n";
+    expect_same_on_all_ranks(lattice("cells: [4, 4, 4]") + random + lattice("cells: [3, 3, 3], velocity: [0, 0, 1]"));
+}
+
+TEST(Parts, Files) {
+    const Communicator ranks = Communicator::world();
+    const testing::TemporaryFolder folder;  // one a rank; only that of rank 0 is read
+    std::string lines = "# a bed far away\n\n";
+    for (int i = 0; i < 1000; ++i)
+        lines += std::to_string(500000 + i % 10) + ".25 " + std::to_string(5000000 + i / 10 % 10) + " " +
+                 std::to_string(i / 100) + ".5 0.25" + (i % 7 == 0 ? "  # a remark\n" : "\n");
+    folder.write("bed.txt", lines);
+    std::string path = folder.path();
+    ranks.broadcast(path);
+    const std::string file = "  - {generator: file, material: glass, path: bed.txt, offset: [0.5, 0, 0]}\n";
+    expect_same_on_all_ranks(file, path);
+    expect_same_on_all_ranks(file + lattice("cells: [2, 2, 2]") + file, path);
+    if (ranks.root()) folder.write("bed.txt", lines + "1 2 3\n1 2 x 3\n");
+    ranks.barrier();
+    expect_same_on_all_ranks(file, path);
+    ranks.barrier();
+}
+
+TEST(Parts, AFileThatIsNotThereIsAnErrorOnAllRanks) {
+    expect_same_on_all_ranks("  - {generator: file, material: glass, path: nothing.txt}\n", "/nowhere");
+}
+
+TEST(Parts, WhatOnlyOneRankHasCountsForThePlanOfAll) {
+    // One rough body on one rank, one wall: friction on all ranks.
+    const Communicator ranks = Communicator::world();
+    const std::string text =
+        testing::kHead +
+        "  ice: {density: 900, friction: 0, restitution: 0}\n"
+        "bodies:\n" +
+        "  - {generator: sphere, material: glass, radius: 0.1, position: [0, 0, 5]}\n"
+        "  - {generator: sphere, material: ice, radius: 0.1, position: [0, 1, 5]}\n"
+        "walls:\n  - {shape: plane, name: p, material: glass, point: [0, 0, 0], normal: [0, 0, 1]}\n";
+    const testing::Result part = build_on(text, ".", ranks);
+    EXPECT_EQ(part.errors, "");
+    EXPECT_TRUE(make_plan(part.built.scene, part.built.state.bodies, ranks).friction);
+    EXPECT_EQ(part.built.state.bodies.spin.size(), part.built.state.bodies.size());
+}
+
+}  // namespace
+}  // namespace scree
