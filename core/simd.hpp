@@ -3,8 +3,6 @@
 // same order, so the same bits, on every width.
 #pragma once
 
-#include <array>
-
 #include "core/simd_native.hpp"
 
 namespace scree {
@@ -73,7 +71,7 @@ inline PackOf<Real> where_less(const PackOf<Real>& a, const PackOf<Real>& b, con
     for (int i = 0; i < PackOf<Real>::kNatives; ++i) r.v[i] = detail::where_less(a.v[i], b.v[i], yes.v[i], no.v[i]);
     return r;
 }
-// Sum and maximum over the lanes, in a fixed order; of sixteen, the sums over the first and over the last eight.
+// Sums of eight numbers and maxima over the lanes, in a fixed order.
 inline double sum_of_eight(const auto* x) {
     const auto at = [x](int i) { return static_cast<double>(x[i]); };
     return ((at(0) + at(1)) + (at(2) + at(3))) + ((at(4) + at(5)) + (at(6) + at(7)));
@@ -82,11 +80,6 @@ inline double sum_lanes(const Pack& a) {
     alignas(64) double x[kLanes];
     a.store(x);
     return sum_of_eight(x);
-}
-inline std::array<double, 2> sum_halves(const PackF& a) {
-    alignas(64) float x[kLanesSingle];
-    a.store(x);
-    return {sum_of_eight(x), sum_of_eight(x + 8)};
 }
 template <class Real>
 inline double max_lanes(const PackOf<Real>& a) {

@@ -145,7 +145,7 @@ SCREE_INLINE void scatter4(const Row& row, const PackF& c0, const PackF& c1, con
 #if defined(__AVX512F__)
     const detail::Quarters q = detail::transpose(c0.v[0], c1.v[0], c2.v[0], c3.v[0]);
     for (int i = 0; i < 4; ++i) {
-        _mm_store_ps(row(i), _mm512_castps512_ps128(q.c[i]));
+        _mm_store_ps(row(i), _mm512_maskz_extractf32x4_ps(0xf, q.c[i], 0));
         _mm_store_ps(row(i + 4), _mm512_maskz_extractf32x4_ps(0xf, q.c[i], 1));
         _mm_store_ps(row(i + 8), _mm512_maskz_extractf32x4_ps(0xf, q.c[i], 2));
         _mm_store_ps(row(i + 12), _mm512_maskz_extractf32x4_ps(0xf, q.c[i], 3));
@@ -206,7 +206,7 @@ SCREE_INLINE void scatter8(const Row& row, const PackOf<Real> (&c)[8]) {
                 detail::transpose(half(0, which), half(1, which), half(2, which), half(3, which));
             for (int i = 0; i < 4; ++i) {
                 const __m512d r = _mm512_castps_pd(q.c[i]);
-                _mm256_store_ps(row(at + i), _mm256_castpd_ps(_mm512_castpd512_pd256(r)));
+                _mm256_store_ps(row(at + i), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xf, r, 0)));
                 _mm256_store_ps(row(at + i + 4), _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xf, r, 1)));
             }
         };

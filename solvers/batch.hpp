@@ -1,5 +1,5 @@
-// Contacts in batches of eight that share no moving body: one batch is one call of a kernel. Lanes without a contact
-// join the ground to the ground and do nothing.
+// Contacts in batches of eight (in single precision two times eight) that share no moving body: one batch is one call
+// of a kernel. Lanes without a contact join the ground to the ground and do nothing.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace scree::solvers {
 
-// With friction: 96 bytes a contact. The impulse is a vector in the world frame; no tangent frame is stored, because
-// for spheres the Delassus block is diagonal with one value for both tangents.
+// With friction: 96 bytes a contact (in single precision 48). The impulse is a vector in the world frame; no tangent
+// frame is stored, because for spheres the Delassus block is diagonal with one value for both tangents.
 template <class Real>
 struct alignas(64) FrictionBatchOf {
     std::uint32_t a[PackOf<Real>::kLanes], b[PackOf<Real>::kLanes];  // lines
@@ -22,7 +22,7 @@ struct alignas(64) FrictionBatchOf {
 };
 using FrictionBatch = FrictionBatchOf<double>;
 
-// Without: 56 bytes a contact, the impulse is a number.
+// Without: 56 bytes a contact (32), the impulse is a number.
 template <class Real>
 struct alignas(64) FrictionlessBatchOf {
     std::uint32_t a[PackOf<Real>::kLanes], b[PackOf<Real>::kLanes];
@@ -35,13 +35,17 @@ using FrictionlessBatch = FrictionlessBatchOf<double>;
 
 // What the scene's plan selects once.
 struct Frictional {
-    using Line = SpinningLine;
-    using Batch = FrictionBatch;
+    template <class Real>
+    using LineOf = SpinningLineOf<Real>;
+    template <class Real>
+    using BatchOf = FrictionBatchOf<Real>;
     static constexpr int kImpulse = 3;  // numbers an impulse
 };
 struct Frictionless {
-    using Line = SlidingLine;
-    using Batch = FrictionlessBatch;
+    template <class Real>
+    using LineOf = SlidingLineOf<Real>;
+    template <class Real>
+    using BatchOf = FrictionlessBatchOf<Real>;
     static constexpr int kImpulse = 1;
 };
 

@@ -17,8 +17,10 @@ namespace scree::solvers {
 
 inline constexpr double kTangentRatio = 2.0 / 7.0;  // W_N / W_T of solid spheres
 inline constexpr double kTraceRatio = 3.0 / 8.0;    // rho = 3 / tr W over 1 / W_N: tr W = (1 + 2 * 7/2) W_N
+inline constexpr double kSingleRound = 1e-6;        // more than single precision makes of an impulse, relative
+// Keeps 0/0 away: no square of a scene is that small, nor one in the units of single precision.
 template <class Real>
-inline constexpr Real kTiny = std::is_same_v<Real, float> ? Real(1e-36) : Real(1e-300);  // keeps 0/0 away
+inline constexpr Real kTiny = std::is_same_v<Real, float> ? Real(1e-36) : Real(1e-300);
 
 template <class Real>
 Pack3Of<Real> load3(const Real (&x)[3][PackOf<Real>::kLanes]) {
@@ -86,9 +88,9 @@ SCREE_INLINE PackOf<Real> update(FrictionBatchOf<Real>& batch, SpinningLineOf<Re
                                  std::type_identity_t<Real> (*previous)[PackOf<Real>::kLanes],
                                  const PackOf<Real>& beta) {
     SpinningPair<Real> pair(batch, line);
-    const Pack3Of<Real> n = load3(batch.n);
-    const PackOf<Real> inverse_w = PackOf<Real>::load(batch.inverse_w);
-    Pack3Of<Real> p = load3(batch.p);
+    const auto n = load3(batch.n);
+    const auto inverse_w = PackOf<Real>::load(batch.inverse_w);
+    auto p = load3(batch.p);
     if constexpr (kMomentum) {
         const Pack3Of<Real> old{PackOf<Real>::load(previous[0]), PackOf<Real>::load(previous[1]),
                                 PackOf<Real>::load(previous[2])};
@@ -97,20 +99,20 @@ SCREE_INLINE PackOf<Real> update(FrictionBatchOf<Real>& batch, SpinningLineOf<Re
         p.z.store(previous[2]);
         p = p + beta * (p - old);
     }
-    const Pack3Of<Real> u = pair.relative(n);
-    const PackOf<Real> un = dot(u, n);
-    const PackOf<Real> pn_old = dot(p, n);
-    const PackOf<Real> pn = max(pn_old - inverse_w * (un + PackOf<Real>::load(batch.bias)), PackOf<Real>::all(0));
-    const PackOf<Real> wt = PackOf<Real>::all(static_cast<Real>(kTangentRatio)) * inverse_w;
-    const Pack3Of<Real> x = (p - pn_old * n) - wt * (u - un * n);
-    const PackOf<Real> limit = PackOf<Real>::load(batch.friction) * pn;
-    const PackOf<Real> size = sqrt(max(dot(x, x), PackOf<Real>::all(kTiny<Real>)));
-    const PackOf<Real> scale = min(limit / size, PackOf<Real>::all(1));
-    const Pack3Of<Real> solved = pn * n + scale * x;
-    const Pack3Of<Real> change = solved - p;
+    const auto u = pair.relative(n);
+    const auto un = dot(u, n);
+    const auto pn_old = dot(p, n);
+    const auto pn = max(pn_old - inverse_w * (un + PackOf<Real>::load(batch.bias)), PackOf<Real>::all(0));
+    const auto wt = PackOf<Real>::all(static_cast<Real>(kTangentRatio)) * inverse_w;
+    const auto x = (p - pn_old * n) - wt * (u - un * n);
+    const auto limit = PackOf<Real>::load(batch.friction) * pn;
+    const auto size = sqrt(max(dot(x, x), PackOf<Real>::all(kTiny<Real>)));
+    const auto scale = min(limit / size, PackOf<Real>::all(1));
+    const auto solved = pn * n + scale * x;
+    const auto change = solved - p;
     store3(batch.p, solved);
     pair.push(batch, line, n, change);
-    const PackOf<Real> w = pair.ma + pair.mb;
+    const auto w = pair.ma + pair.mb;
     return (w * w) * dot(change, change);
 }
 
@@ -119,48 +121,59 @@ SCREE_INLINE PackOf<Real> update(FrictionlessBatchOf<Real>& batch, SlidingLineOf
                                  std::type_identity_t<Real> (*previous)[PackOf<Real>::kLanes],
                                  const PackOf<Real>& beta) {
     SlidingPair<Real> pair(batch, line);
-    const Pack3Of<Real> n = load3(batch.n);
-    PackOf<Real> p = PackOf<Real>::load(batch.p[0]);
+    const auto n = load3(batch.n);
+    auto p = PackOf<Real>::load(batch.p[0]);
     if constexpr (kMomentum) {
-        const PackOf<Real> old = PackOf<Real>::load(previous[0]);
+        const auto old = PackOf<Real>::load(previous[0]);
         p.store(previous[0]);
         p = p + beta * (p - old);
     }
-    const PackOf<Real> un = pair.normal_velocity(n);
-    const PackOf<Real> solved =
+    const auto un = pair.normal_velocity(n);
+    const auto solved =
         max(p - PackOf<Real>::load(batch.inverse_w) * (un + PackOf<Real>::load(batch.bias)), PackOf<Real>::all(0));
-    const PackOf<Real> change = solved - p;
+    const auto change = solved - p;
     solved.store(batch.p[0]);
     pair.push(batch, line, n, change);
-    const PackOf<Real> w = pair.ma + pair.mb;
+    const auto w = pair.ma + pair.mb;
     return (w * w) * (change * change);
 }
 
 // Adds the batch's impulses to the lines (warm start).
-template <class Real>
-void apply(const FrictionBatchOf<Real>& batch, SpinningLineOf<Real>* line) {
-    SpinningPair<Real> pair(batch, line);
+inline void apply(const FrictionBatch& batch, SpinningLine* line) {
+    SpinningPair<double> pair(batch, line);
     pair.push(batch, line, load3(batch.n), load3(batch.p));
 }
-template <class Real>
-void apply(const FrictionlessBatchOf<Real>& batch, SlidingLineOf<Real>* line) {
-    SlidingPair<Real> pair(batch, line);
-    pair.push(batch, line, load3(batch.n), PackOf<Real>::load(batch.p[0]));
+inline void apply(const FrictionlessBatch& batch, SlidingLine* line) {
+    SlidingPair<double> pair(batch, line);
+    pair.push(batch, line, load3(batch.n), Pack::load(batch.p[0]));
 }
 
 // |u + c n|^2 of the velocities in the lines, one number a lane: with the free velocities, |q|^2.
-template <class Real>
-PackOf<Real> drive(const FrictionBatchOf<Real>& batch, const SpinningLineOf<Real>* line) {
-    const SpinningPair<Real> pair(batch, line);
-    const Pack3Of<Real> n = load3(batch.n);
-    const Pack3Of<Real> q = pair.relative(n) + PackOf<Real>::load(batch.bias) * n;
+inline Pack drive(const FrictionBatch& batch, const SpinningLine* line) {
+    const SpinningPair<double> pair(batch, line);
+    const Pack3 n = load3(batch.n);
+    const Pack3 q = pair.relative(n) + Pack::load(batch.bias) * n;
     return dot(q, q);
 }
-template <class Real>
-PackOf<Real> drive(const FrictionlessBatchOf<Real>& batch, const SlidingLineOf<Real>* line) {
-    const SlidingPair<Real> pair(batch, line);
-    const PackOf<Real> q = pair.normal_velocity(load3(batch.n)) + PackOf<Real>::load(batch.bias);
+inline Pack drive(const FrictionlessBatch& batch, const SlidingLine* line) {
+    const SlidingPair<double> pair(batch, line);
+    const Pack q = pair.normal_velocity(load3(batch.n)) + Pack::load(batch.bias);
     return q * q;
+}
+
+// Puts impulses that were found in single precision into their cones: p_N >= 0, and |p_T| = mu p_N where it was so but
+// for the round-off of single precision.
+inline void into_cone(FrictionBatch& batch) {
+    const Pack3 n = load3(batch.n), p = load3(batch.p);
+    const Pack one = Pack::all(1.0), raw = dot(p, n), pn = max(raw, Pack::all(0.0));
+    const Pack limit = Pack::load(batch.friction) * pn;
+    const Pack3 pt = p - raw * n;
+    const Pack size = sqrt(max(dot(pt, pt), Pack::all(kTiny<double>)));
+    const Pack inside = limit - Pack::all(kSingleRound) * (pn + limit);
+    store3(batch.p, pn * n + where_less(size, inside, one, limit / size) * pt);
+}
+inline void into_cone(FrictionlessBatch& batch) {
+    max(Pack::load(batch.p[0]), Pack::all(0.0)).store(batch.p[0]);
 }
 
 // The natural map in units of velocity, squared:  |F|^2,  F = (p - P_K(p - rho û)) / rho,
@@ -168,53 +181,50 @@ PackOf<Real> drive(const FrictionlessBatchOf<Real>& batch, const SlidingLineOf<R
 template <class Real>
 PackOf<Real> natural_map(const FrictionBatchOf<Real>& batch, const SpinningLineOf<Real>* line) {
     const SpinningPair<Real> pair(batch, line);
-    const Pack3Of<Real> n = load3(batch.n), p = load3(batch.p);
-    const PackOf<Real> mu = PackOf<Real>::load(batch.friction), zero = PackOf<Real>::all(0), one = PackOf<Real>::all(1);
-    const PackOf<Real> rho = PackOf<Real>::all(static_cast<Real>(kTraceRatio)) * PackOf<Real>::load(batch.inverse_w);
-    const Pack3Of<Real> u = pair.relative(n);
-    const PackOf<Real> un = dot(u, n), pn = dot(p, n);
-    const Pack3Of<Real> ut = u - un * n, pt = p - pn * n;
-    const PackOf<Real> slip = sqrt(dot(ut, ut));
-    const PackOf<Real> xn = pn - rho * (un + PackOf<Real>::load(batch.bias) + mu * slip);
-    const Pack3Of<Real> xt = pt - rho * ut;
-    const PackOf<Real> size = sqrt(dot(xt, xt));
+    const auto n = load3(batch.n), p = load3(batch.p);
+    const auto mu = PackOf<Real>::load(batch.friction), zero = PackOf<Real>::all(0), one = PackOf<Real>::all(1);
+    const auto rho = PackOf<Real>::all(static_cast<Real>(kTraceRatio)) * PackOf<Real>::load(batch.inverse_w);
+    const auto u = pair.relative(n);
+    const auto un = dot(u, n), pn = dot(p, n);
+    const auto ut = u - un * n, pt = p - pn * n;
+    const auto slip = sqrt(dot(ut, ut));
+    const auto xn = pn - rho * (un + PackOf<Real>::load(batch.bias) + mu * slip);
+    const auto xt = pt - rho * ut;
+    const auto size = sqrt(dot(xt, xt));
     // inside the cone: x; inside the polar cone: 0; else on the cone
-    const PackOf<Real> on_cone = (xn + mu * size) / (one + mu * mu);
-    const PackOf<Real> outside = where_less(mu * xn, size, one, zero);
-    const PackOf<Real> pn_new = where_less(mu * size, zero - xn, zero, where_less(outside, one, xn, on_cone));
-    const PackOf<Real> scale =
+    const auto on_cone = (xn + mu * size) / (one + mu * mu);
+    const auto outside = where_less(mu * xn, size, one, zero);
+    const auto pn_new = where_less(mu * size, zero - xn, zero, where_less(outside, one, xn, on_cone));
+    const auto scale =
         where_less(outside, one, one, mu * max(pn_new, zero) / max(size, PackOf<Real>::all(kTiny<Real>)));
-    const Pack3Of<Real> ft = pt - where_less(mu * size, zero - xn, zero, scale) * xt;
-    const PackOf<Real> fn = pn - max(pn_new, zero);
-    const PackOf<Real> square = (fn * fn + dot(ft, ft)) / max(rho * rho, PackOf<Real>::all(kTiny<Real>));
+    const auto ft = pt - where_less(mu * size, zero - xn, zero, scale) * xt;
+    const auto fn = pn - max(pn_new, zero);
+    const auto square = (fn * fn + dot(ft, ft)) / max(rho * rho, PackOf<Real>::all(kTiny<Real>));
     return square;
 }
 template <class Real>
 PackOf<Real> natural_map(const FrictionlessBatchOf<Real>& batch, const SlidingLineOf<Real>* line) {
     const SlidingPair<Real> pair(batch, line);
-    const PackOf<Real> un = pair.normal_velocity(load3(batch.n)) + PackOf<Real>::load(batch.bias);
-    const PackOf<Real> p = PackOf<Real>::load(batch.p[0]), rho = PackOf<Real>::load(batch.inverse_w);
-    const PackOf<Real> f = (p - max(p - rho * un, PackOf<Real>::all(0))) / max(rho, PackOf<Real>::all(kTiny<Real>));
+    const auto un = pair.normal_velocity(load3(batch.n)) + PackOf<Real>::load(batch.bias);
+    const auto p = PackOf<Real>::load(batch.p[0]), rho = PackOf<Real>::load(batch.inverse_w);
+    const auto f = (p - max(p - rho * un, PackOf<Real>::all(0))) / max(rho, PackOf<Real>::all(kTiny<Real>));
     return f * f;
 }
 
 // Work of the impulses on the mean of the velocities before and after [J], normal and tangential.
-template <class Real>
-struct WorkPacksOf {
-    PackOf<Real> normal, tangential;
+struct WorkPacks {
+    Pack normal, tangential;
 };
-template <class Real>
-WorkPacksOf<Real> work(const FrictionBatchOf<Real>& batch, const SpinningLineOf<Real>* mean) {
-    const SpinningPair<Real> pair(batch, mean);
-    const Pack3Of<Real> n = load3(batch.n), p = load3(batch.p);
-    const Pack3Of<Real> u = pair.relative(n);
-    const PackOf<Real> normal = dot(p, n) * dot(u, n);
+inline WorkPacks work(const FrictionBatch& batch, const SpinningLine* mean) {
+    const SpinningPair<double> pair(batch, mean);
+    const Pack3 n = load3(batch.n), p = load3(batch.p);
+    const Pack3 u = pair.relative(n);
+    const Pack normal = dot(p, n) * dot(u, n);
     return {normal, dot(p, u) - normal};
 }
-template <class Real>
-WorkPacksOf<Real> work(const FrictionlessBatchOf<Real>& batch, const SlidingLineOf<Real>* mean) {
-    const SlidingPair<Real> pair(batch, mean);
-    return {PackOf<Real>::load(batch.p[0]) * pair.normal_velocity(load3(batch.n)), PackOf<Real>::all(0)};
+inline WorkPacks work(const FrictionlessBatch& batch, const SlidingLine* mean) {
+    const SlidingPair<double> pair(batch, mean);
+    return {Pack::load(batch.p[0]) * pair.normal_velocity(load3(batch.n)), Pack::all(0.0)};
 }
 
 }  // namespace scree::solvers
