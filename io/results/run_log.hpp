@@ -1,12 +1,16 @@
 // run.jsonl: the log for machines. One JSON object a line: first {"kind": "provenance"}, then {"kind": "progress"} each
 // report interval, last {"kind": "status"}. Lines are only appended, and flushed each; a resumed run begins again with
 // a provenance record.
+//
+// On many ranks rank 0 writes it, the others do nothing. All but progress() are collective and throw on all ranks or on
+// none; a failure of progress() is thrown by status().
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <string>
 
+#include "core/parallel/communicator.hpp"
 #include "core/step_report.hpp"
 #include "io/results/provenance.hpp"
 
@@ -28,7 +32,7 @@ struct Progress {
 class RunLog {
   public:
     // New (an old file is replaced) or continued; a half line that a killed run left is cut off.
-    RunLog(std::string path, bool continued);
+    RunLog(std::string path, bool continued, const Communicator& ranks = Communicator::self());
     ~RunLog();
     RunLog(const RunLog&) = delete;
     RunLog& operator=(const RunLog&) = delete;
@@ -40,9 +44,12 @@ class RunLog {
                 std::uint64_t state_hash);
 
   private:
+    void open(bool continued);
     void line(const std::string& text);
 
     std::string path_;
+    Communicator ranks_;
+    std::string fault_;  // of an earlier line
     int file_ = -1;
 };
 
