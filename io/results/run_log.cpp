@@ -91,8 +91,16 @@ void RunLog::progress(const Progress& p) {
                          {"mass", p.mass},
                          {"wall_time", p.wall_time},
                          {"wall_by_phase", phases}};
-    if (ranks_.alone()) return line(record.dump());
-    const std::string fault = fault_of([&] { line(record.dump()); });
+    line_or_fault(record.dump());
+}
+
+void RunLog::ranks(const RankLoads& loads) {
+    if (ranks_.root()) line_or_fault(to_json(loads));
+}
+
+void RunLog::line_or_fault(const std::string& text) {
+    if (ranks_.alone()) return line(text);
+    const std::string fault = fault_of([&] { line(text); });
     if (fault_.empty()) fault_ = fault;
 }
 
