@@ -25,9 +25,8 @@ ErrorAgreement::ErrorAgreement(const Communicator& ranks) : ranks_(ranks) {
     MPI_Comm_dup(*static_cast<const MPI_Comm*>(ranks.handle()), &channel_->comm);
 }
 
-ErrorAgreement::~ErrorAgreement() {
-    if (channel_ && !channel_->given_up) MPI_Comm_free(&channel_->comm);
-}
+// MPI_Finalize frees the communicator: to free it here would be collective, and after an error not all ranks come here.
+ErrorAgreement::~ErrorAgreement() = default;
 
 bool ErrorAgreement::everywhere() {
     if (!channel_) return true;
