@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/commands.hpp"
+#include "app/error_agreement.hpp"
 #include "app/help_text.hpp"
 #include "app/human_text.hpp"
 #include "io/scenario/diagnostics.hpp"
@@ -103,13 +104,18 @@ void Arguments::define() {
     sub->add_flag("--reference", reference, "the reference page, in Markdown, instead");
 }
 
-int usage_error(const std::string& message, const std::string& help) {
-    write_all(STDERR_FILENO, fmt::format("error: {}\n  {} shows what is possible.\n", message, help));
-    return static_cast<int>(ExitCode::usage);
+// What the arguments alone decide: a help text, or an error. All ranks find the same, and one says it.
+struct Answer {
+    ExitCode code = ExitCode::complete;
+    std::string text;
+};
+
+Answer usage_error(const std::string& message, const std::string& help) {
+    return {ExitCode::usage, fmt::format("error: {}\n  {} shows what is possible.\n", message, help)};
 }
 
 // Faults that CLI11 describes poorly.
-std::optional<int> refuse(Arguments& arguments) {
+std::optional<Answer> refuse(Arguments& arguments) {
     RunOptions& run = arguments.run;
     const auto no = [](const std::string& message) { return usage_error(message, "scree run --help"); };
     if (!arguments.app.got_subcommand("run")) return std::nullopt;
@@ -129,10 +135,13 @@ std::optional<int> refuse(Arguments& arguments) {
     return std::nullopt;
 }
 
+void flush_output() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw IoError("standard output could not be written");
+}
+
 int dispatch(Arguments& arguments) {
     CLI::App& app = arguments.app;
     const auto code = [](ExitCode c) { return static_cast<int>(c); };
-    if (app.got_subcommand("run")) return code(run_command(arguments.run));
     if (app.got_subcommand("check")) return code(check_command(arguments.check));
     if (app.got_subcommand("info")) return code(info_command(arguments.info_path));
     if (app.got_subcommand("compare")) {
@@ -142,21 +151,12 @@ int dispatch(Arguments& arguments) {
     return code(schema_command(arguments.reference));
 }
 
-int parse_and_dispatch(int argc, char** argv) {
+std::optional<Answer> parse(int argc, char** argv, Arguments& arguments) {
     const std::string first = argc > 1 ? argv[1] : "";
-    if (first.empty() || first == "-h" || first == "--help" || first == "help") {
-        if (!first.empty()) {
-            fmt::print("{}", top_help());
-            return static_cast<int>(ExitCode::complete);
-        }
-        write_all(STDERR_FILENO, top_help());
-        return static_cast<int>(ExitCode::usage);
-    }
-    if (first == "--version" || first == "-V") {
-        fmt::print("{}", version_text());
-        return static_cast<int>(ExitCode::complete);
-    }
-    Arguments arguments;
+    if (first.empty()) return Answer{ExitCode::usage, std::string(top_help())};
+    if (first == "-h" || first == "--help" || first == "help")
+        return Answer{ExitCode::complete, std::string(top_help())};
+    if (first == "--version" || first == "-V") return Answer{ExitCode::complete, version_text()};
     arguments.define();
     const auto& names = subcommand_names();
     if (std::find(names.begin(), names.end(), first) == names.end()) {
@@ -168,46 +168,70 @@ int parse_and_dispatch(int argc, char** argv) {
     try {
         arguments.app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", arguments.app.get_subcommand(first)->help("scree"));
-        return static_cast<int>(ExitCode::complete);
+        return Answer{ExitCode::complete, arguments.app.get_subcommand(first)->help("scree")};
     } catch (const CLI::ParseError& error) {
         return usage_error(error.what(), fmt::format("scree {} --help", first));
     }
-    if (const auto refused = refuse(arguments)) return *refused;
     arguments.run.command_line = "scree";
     for (int i = 1; i < argc; ++i) arguments.run.command_line += " " + quoted(argv[i]);
-    return dispatch(arguments);
+    return refuse(arguments);
 }
 
-int report(const std::string& message, ExitCode code) {
+// `run` works on all ranks; every other command on rank 0 alone.
+int parse_and_dispatch(int argc, char** argv, const Communicator& ranks, ErrorAgreement& errors) {
+    Arguments arguments;
+    const std::optional<Answer> answer = parse(argc, argv, arguments);
+    const bool speaks = ranks.root();
+    if (answer) {
+        if (speaks && answer->code == ExitCode::complete) fmt::print("{}", answer->text);
+        if (speaks && answer->code != ExitCode::complete) write_all(STDERR_FILENO, answer->text);
+        return static_cast<int>(answer->code);
+    }
+    if (arguments.app.got_subcommand("run")) return static_cast<int>(run_command(arguments.run, ranks, errors));
+    int code = 0;
+    at_root(ranks, [&] { code = dispatch(arguments); });
+    return static_cast<int>(ranks.max(static_cast<std::uint64_t>(code)));
+}
+
+// The exit code, on all ranks the same; if the error is that of some ranks only, it ends all of them.
+int report(const std::string& message, ExitCode code, const Communicator& ranks, ErrorAgreement& errors) {
     std::fflush(stdout);
-    // A scenario's report brings its own "file:line:col: error:".
-    write_all(STDERR_FILENO, fmt::format("{}{}{}", code == ExitCode::invalid_scenario ? "" : "error: ", message,
-                                         message.empty() || message.back() != '\n' ? "\n" : ""));
-    return static_cast<int>(code);
+    const auto say = [&](const std::string& who) {
+        // A scenario's report brings its own "file:line:col: error:".
+        write_all(STDERR_FILENO, fmt::format("{}{}{}{}", code == ExitCode::invalid_scenario ? "" : "error: ", who,
+                                             message, message.empty() || message.back() != '\n' ? "\n" : ""));
+    };
+    const std::string who = fmt::format("rank {} of {}: ", ranks.rank(), ranks.size());
+    if (!errors.everywhere()) {
+        say(who);
+        ranks.abort(static_cast<int>(code));
+    }
+    const ErrorAgreement::Ending ending = errors.agree(message, static_cast<int>(code));
+    if (ending.shown) say(ranks.root() ? "" : who);
+    return ending.code;
 }
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(int argc, char** argv, const Communicator& ranks) {
     // Beyond a limit on file sizes, write() must fail with a message instead of killing the program.
     std::signal(SIGXFSZ, SIG_IGN);
+    ErrorAgreement errors(ranks);
+    const auto ended = [&](const std::string& message, ExitCode code) { return report(message, code, ranks, errors); };
     try {
-        int code = parse_and_dispatch(argc, argv);
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-            throw IoError("standard output could not be written");
-        }
+        const int code = parse_and_dispatch(argc, argv, ranks, errors);
+        at_root(ranks, flush_output);
         return code;
     } catch (const Error& error) {
-        return report(error.what(), error.code());
+        return ended(error.what(), error.code());
     } catch (const std::bad_alloc&) {
-        return report("there is not enough memory. 'scree check SCENARIO' estimates what a scenario needs.",
-                      ExitCode::internal);
+        return ended("there is not enough memory. 'scree check SCENARIO' estimates what a scenario needs.",
+                     ExitCode::internal);
     } catch (const std::system_error& error) {
-        return report(error.what(), ExitCode::input_output);
+        return ended(error.what(), ExitCode::input_output);
     } catch (const std::exception& error) {
-        return report(fmt::format("{}\nThis is a fault in Scree. Please report it with the scenario.", error.what()),
-                      ExitCode::internal);
+        return ended(fmt::format("{}\nThis is a fault in Scree. Please report it with the scenario.", error.what()),
+                     ExitCode::internal);
     }
 }
 

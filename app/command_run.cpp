@@ -6,11 +6,13 @@
 #include <csignal>
 
 #include "app/commands.hpp"
+#include "app/error_agreement.hpp"
 #include "app/human_text.hpp"
 #include "app/memory_model.hpp"
 #include "app/run_loop.hpp"
 #include "app/run_setup.hpp"
 #include "app/run_summary.hpp"
+#include "core/parallel/together.hpp"
 #include "io/atomic_file.hpp"
 #include "io/results/summary.hpp"
 
@@ -18,24 +20,31 @@ namespace scree::app {
 namespace {
 
 // A run whose last checkpoint and summary say that there is nothing left to do.
-bool is_complete(const RunSetup& setup, const OutputSchedule& schedule, const RunFolder& folder) {
-    if (!setup.resumed || setup.state.step < schedule.steps || !std::filesystem::exists(folder.summary())) return false;
-    return io::read_text(folder.summary().string()).find("status: complete") != std::string::npos;
+bool is_complete(const RunSetup& setup, const RunFolder& folder, const Communicator& ranks) {
+    const OutputSchedule schedule(setup.scene.time, setup.scene.output);
+    if (!setup.resumed || setup.state.step < schedule.steps) return false;
+    bool complete = false;
+    at_root(ranks, [&] {
+        complete = std::filesystem::exists(folder.summary()) &&
+                   io::read_text(folder.summary().string()).find("status: complete") != std::string::npos;
+    });
+    return ranks.any(complete);
 }
 
-Plan plan_with_memory(const Scene& scene, const Bodies& bodies) {
-    Plan plan = make_plan(scene, bodies);
+Plan plan_with_memory(const Scene& scene, const Bodies& bodies, const Communicator& ranks) {
+    Plan plan = make_plan(scene, bodies, ranks);
     measure_memory(scene, plan);
     return plan;
 }
 
 void say_start(const RunSetup& setup, const Plan& plan, const OutputSchedule& schedule, const RunFolder& folder,
-               Console& console) {
+               Console& console, const Communicator& ranks) {
     const State& state = setup.state;
-    console.info(fmt::format("{}: {}, {} of {:.4g} s, results in {}",
-                             setup.scene.title.empty() ? "run" : setup.scene.title,
-                             plural(state.bodies.size(), "body", "bodies"), plural(schedule.steps, "step", "steps"),
-                             setup.scene.time.step, folder.path().string()));
+    const std::uint64_t bodies = ranks.sum(static_cast<std::uint64_t>(state.bodies.owned()));
+    console.info(fmt::format("{}: {}, {} of {:.4g} s{}, results in {}",
+                             setup.scene.title.empty() ? "run" : setup.scene.title, plural(bodies, "body", "bodies"),
+                             plural(schedule.steps, "step", "steps"), setup.scene.time.step,
+                             ranks.alone() ? "" : fmt::format(" on {} ranks", ranks.size()), folder.path().string()));
     if (setup.resumed) {
         console.info(fmt::format("goes on from step {} (t = {:.6g} s)", count_text(state.step), state.time));
     }
@@ -47,40 +56,48 @@ void say_start(const RunSetup& setup, const Plan& plan, const OutputSchedule& sc
 // Everything after the set-up: members in the order in which they need each other.
 class Run {
   public:
-    Run(RunSetup setup, const RunFolder& folder, double limit, Console& console)
+    Run(RunSetup setup, const RunFolder& folder, double limit, Console& console, const Communicator& ranks)
         : setup_(std::move(setup)),
           folder_(folder),
           console_(console),
-          plan_(plan_with_memory(setup_.scene, setup_.state.bodies)),
+          ranks_(ranks),
+          plan_(plan_with_memory(setup_.scene, setup_.state.bodies, ranks)),
           schedule_(setup_.scene.time, setup_.scene.output),
-          stepper_(setup_.scene, plan_),
-          measures_(setup_.scene),
+          stepper_(setup_.scene, plan_, ranks),
+          measures_(setup_.scene, ranks),
+          times_(setup_.state, ranks),
           output_(folder, setup_.scene, setup_.state, solvers::history_columns(setup_.scene), setup_.provenance,
-                  setup_.resumed, console),
+                  setup_.resumed, console, ranks),
           progress_(console, setup_.scene.output.report_interval),
-          stop_(folder.stop_file(), limit) {}
+          stop_(folder.stop_file(), limit, ranks.root()) {}
 
-    ExitCode execute();
+    ExitCode execute(ErrorAgreement& errors);
 
   private:
     void finish(const std::string& status, const std::string& reason, const StepReport& last);
     void note_failure(const Error& error);
+    // Writes the summary and the last record of the log.
+    void close_books(const io::Summary& summary, const std::vector<RankFigures>& all);
+    std::vector<RankFigures> figures() const;
 
     RunSetup setup_;
     const RunFolder& folder_;
     Console& console_;
+    const Communicator& ranks_;
     Plan plan_;
     OutputSchedule schedule_;
     solvers::Stepper stepper_;
     solvers::Measures measures_;
+    RankTimes times_;
     RunOutput output_;
     Progress progress_;
     StopRequest stop_;
 };
 
-ExitCode Run::execute() {
-    say_start(setup_, plan_, schedule_, folder_, console_);
-    RunContext context{setup_.scene, setup_.state, stepper_, measures_, output_, progress_, stop_, schedule_};
+ExitCode Run::execute(ErrorAgreement& errors) {
+    say_start(setup_, plan_, schedule_, folder_, console_, ranks_);
+    RunContext context{setup_.scene, setup_.state, stepper_, measures_, output_,
+                       progress_,    stop_,        times_,   schedule_, ranks_};
     try {
         const RunEnd end = run_loop(context);
         finish(end.complete ? "complete" : "stopped_early", end.reason, end.last);
@@ -89,11 +106,21 @@ ExitCode Run::execute() {
         return ExitCode::stopped_early;
     } catch (const Error& error) {
         console_.end_live();
-        note_failure(error);
+        if (errors.everywhere()) note_failure(error);
         console_.info(
             fmt::format("what was written until t = {:.6g} s is in {}", setup_.state.time, folder_.path().string()));
         throw;
     }
+}
+
+std::vector<RankFigures> Run::figures() const {
+    return gather(times_.figures(setup_.state, stepper_.rank_report(setup_.state)), ranks_);
+}
+
+void Run::close_books(const io::Summary& summary, const std::vector<RankFigures>& all) {
+    by_root(ranks_,
+            [&] { io::write_text_atomically(folder_.summary().string(), io::to_yaml(summary) + ranks_section(all)); });
+    output_.log_status(setup_.state, summary.status, summary.reason);
 }
 
 void Run::finish(const std::string& status, const std::string& reason, const StepReport& last) {
@@ -103,12 +130,13 @@ void Run::finish(const std::string& status, const std::string& reason, const Ste
         if (console_.loudness() == Loudness::quiet) console_.warning(warning);
         warnings.push_back(warning);
     }
-    const io::Summary summary =
-        make_summary(setup_.scene, plan_, setup_.state, output_, last, status, reason, std::move(warnings));
-    io::write_summary(folder_.summary().string(), summary);
-    output_.log_status(setup_.state, status, reason);
-    if (console_.loudness() != Loudness::quiet &&
-        !write_all(STDOUT_FILENO, summary_text(summary, setup_.scene, folder_))) {
+    io::Summary summary =
+        make_summary(setup_.scene, plan_, setup_.state, output_, last, status, reason, std::move(warnings), ranks_);
+    summary.totals.wall_by_phase = times_.mean(setup_.state);
+    const std::vector<RankFigures> all = figures();
+    close_books(summary, all);
+    if (console_.loudness() > Loudness::quiet &&
+        !write_all(STDOUT_FILENO, summary_text(summary, setup_.scene, folder_, all))) {
         console_.warning("standard output could not be written; the same is in summary.yaml");
     }
 }
@@ -119,11 +147,10 @@ void Run::note_failure(const Error& error) {
     try {
         output_.flush_history();
         StepReport last;
-        last.bodies = setup_.state.bodies.size();
-        const io::Summary summary =
-            make_summary(setup_.scene, plan_, setup_.state, output_, last, "failed", error.what(), console_.warnings());
-        io::write_summary(folder_.summary().string(), summary);
-        output_.log_status(setup_.state, "failed", error.what());
+        last.bodies = ranks_.sum(static_cast<std::uint64_t>(setup_.state.bodies.owned()));
+        close_books(make_summary(setup_.scene, plan_, setup_.state, output_, last, "failed", error.what(),
+                                 console_.warnings(), ranks_),
+                    figures());
     } catch (const Error& second) {
         console_.warning(fmt::format("the summary could not be written: {}", second.what()));
     }
@@ -131,22 +158,22 @@ void Run::note_failure(const Error& error) {
 
 }  // namespace
 
-ExitCode run_command(const RunOptions& options) {
+ExitCode run_command(const RunOptions& options, const Communicator& ranks, ErrorAgreement& errors) {
     const auto begin = std::chrono::steady_clock::now();
     const double limit = wall_limit(options.walltime);
     std::signal(SIGPIPE, SIG_IGN);  // who reads our messages may go; the run goes on
-    Console console(options.loudness);
+    Console console(ranks.root() ? options.loudness : Loudness::silent);
     RunFolder folder(options.out.empty() ? default_run_folder(options.scenario) : std::filesystem::path(options.out));
-    RunSetup setup = set_up_run(options, folder);
-    write_all(STDERR_FILENO, setup.scenario_warnings);
+    RunSetup setup = set_up_run(options, folder, ranks);
+    if (ranks.root()) write_all(STDERR_FILENO, setup.scenario_warnings);
     for (const std::string& warning : setup.warnings) console.warning(warning);
-    if (is_complete(setup, OutputSchedule(setup.scene.time, setup.scene.output), folder)) {
+    if (is_complete(setup, folder, ranks)) {
         console.info(fmt::format("the run in {} is complete (t = {:.6g} s). To make it longer: --set time.end=...",
                                  folder.path().string(), setup.state.time));
         return ExitCode::complete;
     }
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return Run(std::move(setup), folder, limit - elapsed, console).execute();
+    return Run(std::move(setup), folder, limit - elapsed, console, ranks).execute(errors);
 }
 
 }  // namespace scree::app

@@ -8,8 +8,11 @@
 
 #include "app/console.hpp"
 #include "core/errors.hpp"
+#include "core/parallel/communicator.hpp"
 
 namespace scree::app {
+
+class ErrorAgreement;
 
 struct RunOptions {
     std::string scenario;           // may be empty with resume
@@ -21,7 +24,8 @@ struct RunOptions {
     Loudness loudness = Loudness::normal;
     std::string command_line;  // as typed, for the provenance
 };
-ExitCode run_command(const RunOptions& options);
+// On all ranks together, with the same options and the same exit code. The other commands: on one.
+ExitCode run_command(const RunOptions& options, const Communicator& ranks, ErrorAgreement& errors);
 
 struct CheckOptions {
     std::string scenario;
@@ -36,6 +40,6 @@ ExitCode explain_command(const std::string& key);
 ExitCode schema_command(bool reference);
 
 // The whole program: parses, runs, reports errors, and gives the exit code.
-int run_command_line(int argc, char** argv);
+int run_command_line(int argc, char** argv, const Communicator& ranks);
 
 }  // namespace scree::app

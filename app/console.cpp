@@ -47,6 +47,7 @@ Console::~Console() {
 }
 
 void Console::message(std::string_view colour, std::string_view label, std::string_view text) {
+    if (loudness_ == Loudness::silent) return;
     std::string line;
     if (live_shown_) line += kClearLine;
     live_shown_ = false;
@@ -61,7 +62,7 @@ void Console::message(std::string_view colour, std::string_view label, std::stri
 }
 
 void Console::info(std::string_view text) {
-    if (loudness_ != Loudness::quiet) message("", "", text);
+    if (loudness_ > Loudness::quiet) message("", "", text);
 }
 void Console::detail(std::string_view text) {
     if (loudness_ == Loudness::verbose) message("", "", text);
@@ -75,7 +76,7 @@ void Console::error(std::string_view text) {
 }
 
 void Console::live(std::string_view text) {
-    if (!terminal_ || loudness_ == Loudness::quiet) return;
+    if (!terminal_ || loudness_ <= Loudness::quiet) return;
     std::string line(kClearLine);
     line.append(text.substr(0, static_cast<std::size_t>(width_ - 1)));
     write_all(descriptor_, line);

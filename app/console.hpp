@@ -12,7 +12,7 @@ namespace scree::app {
 // All of `text` to a file descriptor; false if that cannot be.
 bool write_all(int descriptor, std::string_view text);
 
-enum class Loudness { quiet, normal, verbose };
+enum class Loudness { silent, quiet, normal, verbose };
 
 class Console {
   public:
@@ -22,6 +22,7 @@ class Console {
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
+    // Silent: nothing at all, as on all ranks but the first.
     void info(std::string_view text);     // not if quiet
     void detail(std::string_view text);   // only if verbose
     void warning(std::string_view text);  // always; remembered

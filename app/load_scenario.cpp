@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/error_agreement.hpp"
 #include "io/scenario/diagnostics.hpp"
 #include "io/scenario/scenario_reader.hpp"
 #include "scenarios/build.hpp"
@@ -15,6 +16,11 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder.string();
 }
 
+// The others know the scenario by its resolved text: rank 0 has the right lines and columns.
+void throw_if_errors(const io::Diagnostics& diagnostics, const Communicator& ranks) {
+    at_root(ranks, [&] { diagnostics.throw_if_errors(); });
+}
+
 LoadedScenario loaded(io::ReadResult result, const std::string& name, std::shared_ptr<io::Diagnostics> diagnostics) {
     diagnostics->throw_if_errors();
     return {std::move(result.root), name, std::move(result.text), std::move(result.resolved), folder_of(name),
@@ -23,9 +29,20 @@ LoadedScenario loaded(io::ReadResult result, const std::string& name, std::share
 
 }  // namespace
 
-LoadedScenario load_scenario(const std::string& path, const std::vector<std::string>& sets) {
-    auto diagnostics = std::make_shared<io::Diagnostics>();
-    return loaded(io::read_scenario(path, sets, *diagnostics), path, diagnostics);
+LoadedScenario load_scenario(const std::string& path, const std::vector<std::string>& sets, const Communicator& ranks) {
+    LoadedScenario scenario;
+    at_root(ranks, [&] {
+        auto diagnostics = std::make_shared<io::Diagnostics>();
+        scenario = loaded(io::read_scenario(path, sets, *diagnostics), path, diagnostics);
+    });
+    if (ranks.alone()) return scenario;
+    std::string text = scenario.text, resolved = scenario.resolved;
+    ranks.broadcast(text);
+    ranks.broadcast(resolved);
+    if (!ranks.root()) scenario = load_resolved(resolved, path, {});
+    scenario.text = std::move(text);
+    scenario.resolved = std::move(resolved);
+    return scenario;
 }
 
 LoadedScenario load_resolved(const std::string& resolved, const std::string& name,
@@ -34,10 +51,10 @@ LoadedScenario load_resolved(const std::string& resolved, const std::string& nam
     return loaded(io::read_scenario_text(resolved, name, sets, *diagnostics), name, diagnostics);
 }
 
-BuiltScenario build_scenario(const LoadedScenario& scenario) {
-    scenarios::Built built = scenarios::build(scenario.root, scenario.folder, *scenario.diagnostics);
-    scenario.diagnostics->throw_if_errors();
-    solvers::start_ledger(built.scene, built.state);
+BuiltScenario build_scenario(const LoadedScenario& scenario, const Communicator& ranks) {
+    scenarios::Built built = scenarios::build(scenario.root, scenario.folder, *scenario.diagnostics, ranks);
+    throw_if_errors(*scenario.diagnostics, ranks);
+    solvers::start_ledger(built.scene, built.state, ranks);
     return {std::move(built.scene), std::move(built.state)};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "io/scenario/diagnostics.hpp"
@@ -21,17 +22,18 @@ struct LoadedScenario {
     std::shared_ptr<io::Diagnostics> diagnostics;  // knows the source lines; collects the warnings
 };
 
-// Throw ScenarioError with all faults at once.
-LoadedScenario load_scenario(const std::string& path, const std::vector<std::string>& sets);
+// Throw ScenarioError with all faults at once. Rank 0 reads the file and what it includes, the others are told.
+LoadedScenario load_scenario(const std::string& path, const std::vector<std::string>& sets,
+                             const Communicator& ranks = Communicator::self());
 // `resolved` as another run wrote it; `name` for messages.
 LoadedScenario load_resolved(const std::string& resolved, const std::string& name,
                              const std::vector<std::string>& sets);
 
 struct BuiltScenario {
     Scene scene;
-    State state;  // at time 0, ledger started
+    State state;  // at time 0, ledger started; of the bodies this rank's
 };
-BuiltScenario build_scenario(const LoadedScenario& scenario);
+BuiltScenario build_scenario(const LoadedScenario& scenario, const Communicator& ranks = Communicator::self());
 // Writes an origin that was chosen automatically into the scenario, so that a resumed run has the same one.
 void set_origin(LoadedScenario& scenario, const Vec3& origin);
 // The scene alone, for a state that comes from a checkpoint. The scenario must have its origin.

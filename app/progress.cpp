@@ -70,17 +70,21 @@ double Progress::now() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-bool Progress::after_step(ProgressFigures figures) {
+Progress::Due Progress::due() {
     const double wall = now();
-    if (wall - last_sample_ < kSampleInterval && last_sample_ > 0.0) return false;
+    if (wall - last_sample_ < kSampleInterval && last_sample_ > 0.0) return Due::nothing;
     last_sample_ = wall;
-    meter_.add(wall, figures.time);
+    if (report_interval_ <= 0.0 || wall - last_report_ < report_interval_) return Due::line;
+    last_report_ = wall;
+    return Due::report;
+}
+
+void Progress::show(Due due, ProgressFigures figures) {
+    if (due == Due::nothing) return;
+    meter_.add(now(), figures.time);
     figures.speed = meter_.speed();
     console_.live(live_text(figures, console_.width()));
-    if (report_interval_ <= 0.0 || wall - last_report_ < report_interval_) return false;
-    last_report_ = wall;
-    if (!console_.terminal()) console_.info(plain_text(figures));
-    return true;
+    if (due == Due::report && !console_.terminal()) console_.info(plain_text(figures));
 }
 
 }  // namespace scree::app

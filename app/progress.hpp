@@ -41,8 +41,11 @@ class Progress {
     // `report_interval` [s]; 0: no plain lines.
     Progress(Console& console, double report_interval);
 
-    // True once each report interval, for the run log too. Cheap enough for every step.
-    bool after_step(ProgressFigures figures);
+    // What is to be shown now. Cheap enough for every step. By the clock, and so on rank 0 only.
+    enum class Due { nothing, line, report };
+    Due due();
+    // A line on a terminal, and each report interval a line elsewhere.
+    void show(Due due, ProgressFigures figures);
     double speed() const { return meter_.speed(); }
 
   private:

@@ -1,5 +1,7 @@
 #include "app/run_loop.hpp"
 
+#include <array>
+
 #include "app/phase_timer.hpp"
 
 namespace scree::app {
@@ -19,22 +21,53 @@ StepReport measured_step(RunContext& run) {
     return report;
 }
 
+// What is decided after a step, beside what the step's number says; the same on all ranks but for `progress`.
+struct Decisions {
+    StopCause stop = StopCause::none;
+    bool checkpoint = false, report = false;
+    Progress::Due progress = Progress::Due::nothing;  // rank 0 shows it
+};
+
+Decisions decide(RunContext& run) {
+    Decisions made;
+    constexpr std::uint64_t kCheckpoint = 1, kReport = 2, kNothing = 0;
+    std::array<std::uint64_t, 2> word{};
+    word[0] = static_cast<std::uint64_t>(run.stop.cause(run.output.longest_checkpoint()));
+    if (run.ranks.root()) {
+        made.progress = run.progress.due();
+        word[1] = (run.output.checkpoint_due() ? kCheckpoint : kNothing) |
+                  (made.progress == Progress::Due::report ? kReport : kNothing);
+    }
+    run.ranks.max(word);
+    made.stop = static_cast<StopCause>(word[0]);
+    made.checkpoint = (word[1] & kCheckpoint) != 0;
+    made.report = (word[1] & kReport) != 0;
+    return made;
+}
+
+void write_checkpoint(RunContext& run) {
+    run.output.checkpoint(run.state, run.stepper.own_impulses(run.state), run.times.mean(run.state));
+}
+
 void write_due(RunContext& run, const StepReport& report) {
     State& state = run.state;
     if (run.schedule.history_due(state.step)) run.output.history_row(state, measured_row(run, report));
     if (run.schedule.snapshot_due(state.step)) run.output.snapshot(run.scene, state, run.stepper.contacts());
-    if (run.output.checkpoint_due()) run.output.checkpoint(state);
 }
 
-void show_progress(RunContext& run, const StepReport& report) {
-    const bool report_due =
-        run.progress.after_step({run.state.time, run.scene.time.end, run.state.step, run.schedule.steps, report});
-    if (report_due) run.output.log_progress(run.state, report);
+void log_progress(RunContext& run, const StepReport& report) {
+    run.output.log_progress(run.state, report, run.times.mean(run.state));
+    if (!run.ranks.alone()) run.output.log_ranks(run.times.loads(run.state, run.stepper.rank_report(run.state)));
 }
 
-StepReport report_at_start(const State& state) {
+void show_progress(RunContext& run, const StepReport& report, const Decisions& made) {
+    run.progress.show(made.progress, {run.state.time, run.scene.time.end, run.state.step, run.schedule.steps, report});
+    if (made.report) log_progress(run, report);
+}
+
+StepReport report_at_start(const RunContext& run) {
     StepReport report;
-    report.bodies = state.bodies.size();
+    report.bodies = run.ranks.sum(static_cast<std::uint64_t>(run.state.bodies.owned()));
     return report;
 }
 
@@ -43,21 +76,23 @@ StepReport report_at_start(const State& state) {
 RunEnd run_loop(RunContext& run) {
     State& state = run.state;
     RunEnd end;
-    end.last = report_at_start(state);
+    run.stepper.start(state);
+    end.last = report_at_start(run);
     if (state.step == 0) write_due(run, end.last);
     while (state.step < run.schedule.steps) {
         end.last = measured_step(run);
+        const Decisions made = decide(run);
         write_due(run, end.last);
-        show_progress(run, end.last);
-        const auto reason = run.stop.reason(run.output.longest_checkpoint());
-        if (reason && state.step < run.schedule.steps) {
-            end.reason = *reason;
-            run.output.checkpoint(state);
+        show_progress(run, end.last, made);
+        const bool stop = made.stop != StopCause::none && state.step < run.schedule.steps;
+        if (stop || made.checkpoint) write_checkpoint(run);
+        if (stop) {
+            end.reason = run.stop.reason(made.stop);
             return end;
         }
     }
-    run.output.log_progress(state, end.last);
-    run.output.checkpoint(state);
+    log_progress(run, end.last);
+    write_checkpoint(run);
     end.complete = true;
     return end;
 }

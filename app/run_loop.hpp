@@ -1,12 +1,16 @@
-// The run loop: from the state as it stands to the end of the scenario, or until something asks it to stop.
+// The run loop: from the state as it stands to the end of the scenario, or until something asks it to stop. All ranks
+// go through it together. What a clock decides (is a checkpoint due?) and what any rank noticed (a signal) all ranks
+// learn after each step.
 #pragma once
 
 #include <string>
 
 #include "app/output_schedule.hpp"
 #include "app/progress.hpp"
+#include "app/rank_times.hpp"
 #include "app/run_output.hpp"
 #include "app/stop_request.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
@@ -24,7 +28,9 @@ struct RunContext {
     RunOutput& output;
     Progress& progress;
     StopRequest& stop;
+    RankTimes& times;
     OutputSchedule schedule;
+    const Communicator& ranks;
 };
 
 struct RunEnd {

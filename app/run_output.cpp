@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
+#include "app/error_agreement.hpp"
 #include "app/phase_timer.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
 #include "io/results/checkpoint.hpp"
+#include "solvers/energy.hpp"
 
 namespace scree::app {
 namespace fs = std::filesystem;
@@ -21,30 +24,34 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
 }
 
 io::HistoryWriter open_history(const RunFolder& folder, const State& state, std::vector<HistoryColumn> columns,
-                               const io::Provenance& provenance, bool resumed) {
+                               const io::Provenance& provenance, bool resumed, const Communicator& ranks) {
     const std::string path = folder.history().string();
-    if (resumed) return io::HistoryWriter::resume(path, std::move(columns), state.history_rows, provenance);
-    return io::HistoryWriter::create(path, std::move(columns), provenance);
+    if (resumed) return io::HistoryWriter::resume(path, std::move(columns), state.history_rows, provenance, ranks);
+    return io::HistoryWriter::create(path, std::move(columns), provenance, ranks);
 }
 
 // Snapshots that lie after the checkpoint are made again, perhaps at other times: none may stay behind.
-io::SnapshotSeries open_snapshots(const RunFolder& folder, const State& state) {
-    for (const std::string& file : io::list_snapshots(folder.path().string())) {
-        if (std::stoull(fs::path(file).stem().string()) >= state.snapshots_written) fs::remove(file);
-    }
-    return io::SnapshotSeries(folder.path().string(), state.snapshots_written);
+io::SnapshotSeries open_snapshots(const RunFolder& folder, const State& state, const Communicator& ranks) {
+    at_root(ranks, [&] {
+        for (const std::string& file : io::list_snapshots(folder.path().string())) {
+            if (std::stoull(fs::path(file).stem().string()) >= state.snapshots_written) fs::remove(file);
+        }
+    });
+    return io::SnapshotSeries(folder.path().string(), state.snapshots_written, ranks);
 }
 
 }  // namespace
 
 RunOutput::RunOutput(const RunFolder& folder, const Scene& scene, const State& state,
-                     std::vector<HistoryColumn> columns, io::Provenance provenance, bool resumed, Console& console)
+                     std::vector<HistoryColumn> columns, io::Provenance provenance, bool resumed, Console& console,
+                     const Communicator& ranks)
     : folder_(folder),
       console_(console),
+      ranks_(ranks),
       provenance_(std::move(provenance)),
-      history_(open_history(folder, state, std::move(columns), provenance_, resumed)),
-      snapshots_(open_snapshots(folder, state)),
-      log_(folder.run_log().string(), resumed),
+      history_(open_history(folder, state, std::move(columns), provenance_, resumed, ranks)),
+      snapshots_(open_snapshots(folder, state, ranks)),
+      log_(folder.run_log().string(), resumed, ranks),
       checkpoint_interval_(scene.output.checkpoint_interval),
       wall_before_(state.totals.wall_time),
       start_(Clock::now()),
@@ -56,7 +63,7 @@ RunOutput::RunOutput(const RunFolder& folder, const Scene& scene, const State& s
 }
 
 void RunOutput::update_wall_time(State& state) const {
-    state.totals.wall_time = wall_before_ + seconds_since(start_);
+    state.totals.wall_time = ranks_.max(wall_before_ + seconds_since(start_));
 }
 
 void RunOutput::history_row(State& state, const std::vector<double>& row) {
@@ -72,7 +79,7 @@ void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<Con
     console_.detail(fmt::format("t = {:.6g} s: snapshot {:06}", state.time, state.snapshots_written - 1));
 }
 
-void RunOutput::checkpoint(State& state) {
+void RunOutput::checkpoint(State& state, const WarmStart& own, const PhaseTimes& phases) {
     const Clock::time_point begin = Clock::now();
     {
         const PhaseTimer timer(state.totals, Phase::output);
@@ -80,7 +87,9 @@ void RunOutput::checkpoint(State& state) {
     }
     update_wall_time(state);
     const bool first = last_checkpoint_.empty();
-    last_checkpoint_ = io::write_checkpoint(folder_.checkpoints().string(), state, provenance_);
+    const PhaseTimes timed_here = std::exchange(state.totals.wall_by_phase, phases);
+    last_checkpoint_ = io::write_checkpoint(folder_.checkpoints().string(), state, own, provenance_, ranks_);
+    state.totals.wall_by_phase = timed_here;
     last_checkpoint_time_ = Clock::now();
     longest_checkpoint_ = first ? seconds_since(begin) : std::max(longest_checkpoint_, seconds_since(begin));
     console_.detail(fmt::format("t = {:.6g} s: checkpoint {}", state.time, last_checkpoint_));
@@ -90,11 +99,11 @@ bool RunOutput::checkpoint_due() const {
     return checkpoint_interval_ > 0.0 && seconds_since(last_checkpoint_time_) >= checkpoint_interval_;
 }
 
-void RunOutput::log_progress(const State& state, const StepReport& report) {
+void RunOutput::log_progress(const State& state, const StepReport& report, const PhaseTimes& phases) {
     io::Progress record;
     record.time = state.time;
     record.step = state.step;
-    record.bodies = state.bodies.size();
+    record.bodies = report.bodies;
     record.contacts = report.contacts;
     const std::uint64_t steps = state.totals.steps - steps_logged_;
     if (steps > 0)
@@ -102,12 +111,16 @@ void RunOutput::log_progress(const State& state, const StepReport& report) {
     record.residual = report.residual_rms;
     record.penetration = report.penetration.max;
     record.kinetic_energy = state.ledger.kinetic;
-    for (const double mass : state.bodies.mass) record.mass += mass;
+    record.mass = solvers::momentum_of(state.bodies, ranks_).mass;
     record.wall_time = wall_before_ + seconds_since(start_);
-    record.wall_by_phase = state.totals.wall_by_phase;
+    record.wall_by_phase = phases;
     log_.progress(record);
     steps_logged_ = state.totals.steps;
     sweeps_logged_ = state.totals.sweeps;
+}
+
+void RunOutput::log_ranks(const io::RankLoads& loads) {
+    log_.ranks(loads);
 }
 
 RunOutput::Files RunOutput::snapshot_files() const {
@@ -122,7 +135,7 @@ RunOutput::Files RunOutput::snapshot_files() const {
 }
 
 void RunOutput::log_status(const State& state, const std::string& status, const std::string& reason) {
-    log_.status(status, reason, state.time, state.step, state_hash(state.bodies));
+    log_.status(status, reason, state.time, state.step, state_hash(state.bodies, ranks_));
 }
 
 }  // namespace scree::app

@@ -1,5 +1,6 @@
 // What a run writes to its folder: snapshots, history, checkpoints, run.jsonl, summary. Wraps io/ with the order that
-// keeps them consistent (history on the disk before each checkpoint) and counts the time that it takes.
+// keeps them consistent (history on the disk before each checkpoint) and counts the time that it takes. All ranks call
+// these functions together.
 #pragma once
 
 #include <chrono>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "app/console.hpp"
+#include "app/rank_times.hpp"
 #include "app/run_folder.hpp"
 #include "core/contact_record.hpp"
 #include "core/measure.hpp"
@@ -23,14 +25,16 @@ class RunOutput {
   public:
     // Opens the files; `resumed`: goes on with those of the folder, cut back to where `state` stands.
     RunOutput(const RunFolder& folder, const Scene& scene, const State& state, std::vector<HistoryColumn> columns,
-              io::Provenance provenance, bool resumed, Console& console);
+              io::Provenance provenance, bool resumed, Console& console, const Communicator& ranks);
 
     void history_row(State& state, const std::vector<double>& row);
     void snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts);
-    // Also brings the history to the disk.
-    void checkpoint(State& state);
-    bool checkpoint_due() const;
-    void log_progress(const State& state, const StepReport& report);
+    // Also brings the history to the disk. `own`: the impulses that this rank solved; `phases`: to be written as those
+    // of the run.
+    void checkpoint(State& state, const WarmStart& own, const PhaseTimes& phases);
+    bool checkpoint_due() const;  // by this rank's clock
+    void log_progress(const State& state, const StepReport& report, const PhaseTimes& phases);
+    void log_ranks(const io::RankLoads& loads);
     void log_status(const State& state, const std::string& status, const std::string& reason);
     void flush_history() { history_.flush(); }
 
@@ -50,6 +54,7 @@ class RunOutput {
 
     const RunFolder& folder_;
     Console& console_;
+    const Communicator& ranks_;
     io::Provenance provenance_;
     io::HistoryWriter history_;
     io::SnapshotSeries snapshots_;

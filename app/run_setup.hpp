@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/run_folder.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
@@ -15,7 +16,7 @@ namespace scree::app {
 
 struct RunSetup {
     Scene scene;
-    State state;
+    State state;  // of the bodies and impulses this rank's
     io::Provenance provenance;
     bool resumed = false;
     std::vector<std::string> warnings;  // about the scene and the files it came from
@@ -23,7 +24,7 @@ struct RunSetup {
 };
 
 // Reads and checks everything; then makes (or opens) and locks the folder. Nothing is written before the scenario is
-// valid.
-RunSetup set_up_run(const RunOptions& options, RunFolder& folder);
+// valid. Collective; rank 0 holds the folder for all.
+RunSetup set_up_run(const RunOptions& options, RunFolder& folder, const Communicator& ranks);
 
 }  // namespace scree::app

@@ -107,8 +107,8 @@ std::vector<std::string> run_warnings(const Scene& scene, const State& state) {
 
 io::Summary make_summary(const Scene& scene, const Plan& plan, const State& state, const RunOutput& output,
                          const StepReport& last, const std::string& status, const std::string& reason,
-                         std::vector<std::string> warnings) {
-    io::Summary summary = io::summarise(scene, plan, state);
+                         std::vector<std::string> warnings, const Communicator& ranks) {
+    io::Summary summary = io::summarise(scene, plan, state, ranks);
     summary.status = status;
     summary.reason = reason;
     summary.contacts = last.contacts;
@@ -124,7 +124,8 @@ io::Summary make_summary(const Scene& scene, const Plan& plan, const State& stat
     return summary;
 }
 
-std::string summary_text(const io::Summary& s, const Scene& scene, const RunFolder& folder) {
+std::string summary_text(const io::Summary& s, const Scene& scene, const RunFolder& folder,
+                         const std::vector<RankFigures>& all) {
     const RunTotals& t = s.totals;
     std::string text = headline(s);
     text +=
@@ -145,6 +146,7 @@ std::string summary_text(const io::Summary& s, const Scene& scene, const RunFold
                     s.ledger.drift(), t.momentum_error_max, s.ledger.gained);
     if (!s.measures.empty()) text += "  measures\n";
     for (const io::SummaryMean& m : s.measures) text += measure_line(m);
+    text += ranks_line(all);
     for (const std::string& warning : s.warnings) text += "  warning     " + warning + "\n";
     text += fmt::format("  state       {:016x}\n", s.state_hash);
     text += fmt::format("  results     {}: summary.yaml, history.h5, run.xdmf (for ParaView) with {}, {}\n",

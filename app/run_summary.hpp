@@ -14,11 +14,13 @@ namespace scree::app {
 std::vector<std::string> run_warnings(const Scene& scene, const State& state);
 
 // `warnings`: of the whole run. status: complete, stopped_early or failed.
+// Collective; whole on rank 0.
 io::Summary make_summary(const Scene& scene, const Plan& plan, const State& state, const RunOutput& output,
                          const StepReport& last, const std::string& status, const std::string& reason,
-                         std::vector<std::string> warnings);
+                         std::vector<std::string> warnings, const Communicator& ranks);
 
-// For a person, about 15 lines.
-std::string summary_text(const io::Summary& summary, const Scene& scene, const RunFolder& folder);
+// For a person, about 15 lines. `all`: the ranks.
+std::string summary_text(const io::Summary& summary, const Scene& scene, const RunFolder& folder,
+                         const std::vector<RankFigures>& all);
 
 }  // namespace scree::app

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "app/human_text.hpp"
-#include "solvers/find_overlaps.hpp"
+#include "app/overlaps.hpp"
 
 namespace scree::app {
 namespace {
@@ -22,34 +22,51 @@ std::string side_name(const Scene& scene, const ContactKey& key) {
 }
 
 // Largest speed that the prescribed motion gives a wall at the places where bodies are now [m/s].
-double wall_speed(const WallMotion& motion, const Bodies& bodies) {
+double wall_speed(const WallMotion& motion, const Bodies& bodies, const Communicator& ranks) {
     double lever = 0.0;
     if (motion.rate != 0.0) {
         for (const Vec3& x : bodies.position) lever = std::max(lever, (x - motion.centre).cross(motion.axis).norm());
+        lever = ranks.max(lever);
     }
     return motion.velocity.norm() + 2.0 * std::numbers::pi * std::abs(motion.frequency) * motion.amplitude.norm() +
            std::abs(motion.rate) * lever;
 }
 
+// The fastest body of all ranks, of equally fast ones that with the smallest id.
+struct Fastest {
+    double speed = 0.0;  // [m/s]
+    std::uint64_t id = 0;
+};
+Fastest fastest_body(const Bodies& bodies, const Communicator& ranks) {
+    Fastest own;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const double speed = bodies.velocity[i].norm();
+        if (speed > own.speed) own = {speed, raw(bodies.id[i])};
+    }
+    const double most = ranks.max(own.speed);
+    // The smallest id is the largest complement.
+    return {most, ~ranks.max(own.speed == most ? ~own.id : std::uint64_t{0})};
+}
+
 }  // namespace
 
-std::vector<std::string> overlap_warnings(const Scene& scene, const State& state) {
-    const std::vector<solvers::Overlap> overlaps = solvers::find_overlaps(scene, state, kOverlapShown);
-    if (overlaps.empty()) return {};
-    const auto worst = std::max_element(overlaps.begin(), overlaps.end(),
-                                        [](const auto& a, const auto& b) { return a.depth < b.depth; });
+std::vector<std::string> overlap_warnings(const Scene& scene, const State& state, const Communicator& ranks) {
+    const Overlaps found = count_overlaps(scene, state, kOverlapShown, ranks);
+    if (!found.deepest) return {};
+    const solvers::Overlap& worst = *found.deepest;
     return {fmt::format(
         "at the start {} deeper than 1 % of the smaller radius; the worst: body {} and {}, {} at {}. The correction "
         "moves them apart, but a packing that starts without overlaps is better.",
-        overlaps.size() == 1 ? "1 pair overlaps" : count_text(overlaps.size()) + " pairs overlap", worst->key.a,
-        side_name(scene, worst->key), length_text(worst->depth), point_text(scene.origin + worst->point))};
+        found.count == 1 ? "1 pair overlaps" : count_text(found.count) + " pairs overlap", worst.key.a,
+        side_name(scene, worst.key), length_text(worst.depth), point_text(scene.origin + worst.point))};
 }
 
-std::vector<std::string> step_warnings(const Scene& scene, const State& state) {
+std::vector<std::string> step_warnings(const Scene& scene, const State& state, const Communicator& ranks) {
     std::vector<std::string> warnings;
     const Bodies& bodies = state.bodies;
     double smallest = std::numeric_limits<double>::infinity();
     for (const double r : bodies.radius) smallest = std::min(smallest, 2.0 * r);
+    smallest = ranks.min(smallest);
     for (const Inlet& inlet : scene.inlets) smallest = std::min(smallest, smallest_diameter(inlet.size));
     if (!std::isfinite(smallest)) return warnings;
 
@@ -69,12 +86,11 @@ std::vector<std::string> step_warnings(const Scene& scene, const State& state) {
             whose = name;
         }
     };
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies.velocity[i].norm() > speed)
-            note(bodies.velocity[i].norm(), fmt::format("body {}", raw(bodies.id[i])));
-    }
+    const Fastest body = fastest_body(bodies, ranks);
+    note(body.speed, fmt::format("body {}", body.id));
     for (const Inlet& inlet : scene.inlets) note(inlet.velocity.norm(), fmt::format("inlet '{}'", inlet.name));
-    for (const Wall& wall : scene.walls) note(wall_speed(wall.motion, bodies), fmt::format("wall '{}'", wall.name));
+    for (const Wall& wall : scene.walls)
+        note(wall_speed(wall.motion, bodies, ranks), fmt::format("wall '{}'", wall.name));
     if (speed * step > kTravelShown * smallest) {
         warnings.push_back(
             fmt::format("in one step of {:.3g} s {} moves {} at {:.3g} m/s: {:.2g} diameters of the smallest body. "
@@ -85,9 +101,9 @@ std::vector<std::string> step_warnings(const Scene& scene, const State& state) {
     return warnings;
 }
 
-std::vector<std::string> scene_warnings(const Scene& scene, const State& state) {
-    std::vector<std::string> warnings = overlap_warnings(scene, state);
-    const std::vector<std::string> steps = step_warnings(scene, state);
+std::vector<std::string> scene_warnings(const Scene& scene, const State& state, const Communicator& ranks) {
+    std::vector<std::string> warnings = overlap_warnings(scene, state, ranks);
+    const std::vector<std::string> steps = step_warnings(scene, state, ranks);
     warnings.insert(warnings.end(), steps.begin(), steps.end());
     return warnings;
 }

@@ -30,15 +30,31 @@ extern "C" void note_signal(int signal) {
     received = signal;
 }
 
+StopCause cause_of(std::sig_atomic_t signal) {
+    switch (signal) {
+        case 0:
+            return StopCause::none;
+        case SIGUSR1:
+            return StopCause::user_signal;
+        case SIGTERM:
+            return StopCause::terminate;
+        case SIGINT:
+            return StopCause::interrupt;
+        default:
+            return StopCause::hangup;
+    }
+}
+
 double seconds_since(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
 }  // namespace
 
-StopRequest::StopRequest(std::filesystem::path stop_file, double wall_limit)
+StopRequest::StopRequest(std::filesystem::path stop_file, double wall_limit, bool root)
     : stop_file_(std::move(stop_file)),
       wall_limit_(wall_limit),
+      root_(root),
       start_(std::chrono::steady_clock::now()),
       last_look_(start_ - std::chrono::seconds(1)) {
     received = 0;
@@ -57,21 +73,6 @@ StopRequest::~StopRequest() {
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &earlier_actions[i], nullptr);
 }
 
-std::optional<std::string> StopRequest::signal_reason() const {
-    switch (received) {
-        case 0:
-            return std::nullopt;
-        case SIGUSR1:
-            return "signal SIGUSR1";
-        case SIGTERM:
-            return "signal SIGTERM";
-        case SIGINT:
-            return "interrupted (SIGINT)";
-        default:
-            return "signal SIGHUP";
-    }
-}
-
 bool StopRequest::file_found() {
     if (seconds_since(last_look_) < kLookInterval) return false;
     last_look_ = std::chrono::steady_clock::now();
@@ -79,14 +80,32 @@ bool StopRequest::file_found() {
     return std::filesystem::remove(stop_file_, ignored);
 }
 
-std::optional<std::string> StopRequest::reason(double reserve) {
-    if (auto signal = signal_reason()) return signal;
-    if (file_found()) return fmt::format("the file {} was there", stop_file_.string());
+StopCause StopRequest::cause(double reserve) {
+    const StopCause signal = cause_of(received);
+    if (signal != StopCause::none || !root_) return signal;
+    if (file_found()) return StopCause::file;
     const double margin = 2.0 * reserve + std::min(10.0, 0.02 * wall_limit_);
-    if (seconds_since(start_) > wall_limit_ - margin) {
-        return fmt::format("the wall-time limit of {} is near", duration_text(wall_limit_));
+    return seconds_since(start_) > wall_limit_ - margin ? StopCause::wall_time : StopCause::none;
+}
+
+std::string StopRequest::reason(StopCause cause) const {
+    switch (cause) {
+        case StopCause::none:
+            return "";
+        case StopCause::file:
+            return fmt::format("the file {} was there", stop_file_.string());
+        case StopCause::wall_time:
+            return fmt::format("the wall-time limit of {} is near", duration_text(wall_limit_));
+        case StopCause::hangup:
+            return "signal SIGHUP";
+        case StopCause::interrupt:
+            return "interrupted (SIGINT)";
+        case StopCause::terminate:
+            return "signal SIGTERM";
+        case StopCause::user_signal:
+            return "signal SIGUSR1";
     }
-    return std::nullopt;
+    return "";
 }
 
 double wall_limit(std::optional<double> walltime) {

@@ -16,10 +16,11 @@ struct ContactHome {
 };
 
 inline ContactHome home_of(const Contact& contact, const Bodies& bodies, double block_size) {
-    const double ra = bodies.radius[contact.a];
-    const double widest = contact.key.is_wall() ? ra : std::max(ra, bodies.radius[contact.b]);
-    return {block_of(contact.point(bodies.position[contact.a], ra), block_size),
-            2.0 * widest + std::abs(contact.gap) >= block_size};
+    const double ra = bodies.radius[contact.a], rb = contact.key.is_wall() ? ra : bodies.radius[contact.b];
+    Vec3 point = contact.point(bodies.position[contact.a], ra);
+    // where one body lies deep within the other, the middle between their surfaces can lie outside of the smaller one
+    if (contact.gap < -2.0 * std::min(ra, rb)) point = bodies.position[ra <= rb ? contact.a : contact.b];
+    return {block_of(point, block_size), 2.0 * std::max(ra, rb) + std::max(contact.gap, 0.0) >= block_size};
 }
 
 // A contact of a body that only this rank holds is this rank's without a look at blocks.

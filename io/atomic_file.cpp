@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "core/parallel/together.hpp"
 
 namespace scree::io {
 
@@ -75,13 +76,18 @@ void throw_system_error(const std::string& path, const std::string& what, int er
     throw IoError(path + ": " + what + ": " + std::strerror(error_number));
 }
 
-AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), temporary_(path_ + std::string(kSuffix)) {}
+AtomicFile::AtomicFile(std::string path, const Communicator& ranks)
+    : path_(std::move(path)), temporary_(path_ + std::string(kSuffix)), ranks_(ranks) {}
 
 AtomicFile::~AtomicFile() {
-    if (!committed_) ::unlink(temporary_.c_str());
+    if (!committed_ && ranks_.root()) ::unlink(temporary_.c_str());
 }
 
 void AtomicFile::commit() {
+    by_root(ranks_, [&] { commit_here(); });
+}
+
+void AtomicFile::commit_here() {
     Descriptor file(temporary_, O_RDONLY);
     file.sync();
     file.close();

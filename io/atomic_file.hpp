@@ -5,12 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "core/parallel/communicator.hpp"
+
 namespace scree::io {
 
 // Usage: write to `temporary()` by any means, then `commit()`. Without commit() the temporary file is removed.
+// A file of all ranks is renamed and removed by rank 0; commit() is then collective.
 class AtomicFile {
   public:
-    explicit AtomicFile(std::string path);
+    explicit AtomicFile(std::string path, const Communicator& ranks = Communicator::self());
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -20,7 +23,10 @@ class AtomicFile {
     void commit();
 
   private:
+    void commit_here();
+
     std::string path_, temporary_;
+    Communicator ranks_;
     bool committed_ = false;
 };
 

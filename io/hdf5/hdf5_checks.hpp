@@ -28,8 +28,12 @@ std::string about(const std::string& name, const char* what);  // "dataset 'name
 Hdf5Id create_dataset(const Hdf5Group& group, const std::string& name, hid_t type, hid_t space, hid_t creation);
 Hdf5Id open_dataset(const Hdf5Group& group, const std::string& name);
 std::vector<hsize_t> extent(const Hdf5Id& dataset, const std::string& name, const std::string& file);
+std::vector<hsize_t> dimensions(const Rows& rows);
+Hdf5Id creation_list(const Rows& rows, const Layout& layout, const std::string& file);
+void put_meaning(const Hdf5Id& dataset, const Meaning& meaning, const std::string& file);
 
 hid_t memory_type(ElementType type);
+hid_t file_type(ElementType type);
 Hdf5Id utf8_type(std::size_t length, const std::string& file);  // fixed length, at least 1; 0: variable length
 void put_text_attribute(hid_t object, const std::string& name, std::string_view value, const std::string& file);
 std::string get_text_attribute(hid_t object, const std::string& name, const std::string& file);

@@ -8,54 +8,8 @@ namespace scree::io {
 
 namespace {
 
-// Bytes of a chunk: large for arrays that are written once, small for those that grow by rows.
-constexpr std::size_t kChunkBytes = 256 * 1024, kGrowingChunkBytes = 8 * 1024, kGrowingChunkRows = 16;
-
-hid_t file_type(ElementType type) {
-    switch (type) {
-        case ElementType::f64:
-            return H5T_IEEE_F64LE;
-        case ElementType::i64:
-            return H5T_STD_I64LE;
-        case ElementType::u64:
-            return H5T_STD_U64LE;
-        case ElementType::i32:
-            return H5T_STD_I32LE;
-        case ElementType::u32:
-            return H5T_STD_U32LE;
-        case ElementType::u16:
-            return H5T_STD_U16LE;
-        case ElementType::u8:
-            return H5T_STD_U8LE;
-    }
-    throw InternalError("an element type without a file type");
-}
-
-std::vector<hsize_t> dimensions(const Rows& rows) {
-    std::vector<hsize_t> dims = {rows.count};
-    dims.insert(dims.end(), rows.shape.begin(), rows.shape.end());
-    return dims;
-}
-
-Hdf5Id creation_list(const Rows& rows, const Layout& layout, const std::string& file) {
-    const std::string what = "HDF5 cannot be used";
-    Hdf5Id list = owned(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, what);
-    const bool chunked = layout.extendible || (layout.gzip > 0 && rows.elements() > 0);
-    if (!chunked) return list;
-    Rows one = rows;
-    one.count = 1;
-    const std::size_t row_bytes = std::max<std::size_t>(1, one.elements() * H5Tget_size(memory_type(rows.type)));
-    std::size_t chunk_rows = layout.extendible ? std::max(kGrowingChunkRows, kGrowingChunkBytes / row_bytes)
-                                               : std::clamp<std::size_t>(kChunkBytes / row_bytes, 1, rows.count);
-    std::vector<hsize_t> chunk = dimensions(rows);
-    chunk[0] = chunk_rows;
-    require(H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data()), file, what);
-    if (layout.gzip > 0) {
-        require(H5Pset_shuffle(list.get()), file, what);
-        require(H5Pset_deflate(list.get(), static_cast<unsigned>(layout.gzip)), file, what);
-    }
-    return list;
-}
+// Chunks of arrays that grow by rows are small.
+constexpr std::size_t kGrowingChunkBytes = 8 * 1024, kGrowingChunkRows = 16;
 
 template <class T>
 Rows view(std::span<const T> values, ElementType type) {
@@ -112,10 +66,66 @@ hid_t memory_type(ElementType type) {
     throw InternalError("an element type without a memory type");
 }
 
+hid_t file_type(ElementType type) {
+    switch (type) {
+        case ElementType::f64:
+            return H5T_IEEE_F64LE;
+        case ElementType::i64:
+            return H5T_STD_I64LE;
+        case ElementType::u64:
+            return H5T_STD_U64LE;
+        case ElementType::i32:
+            return H5T_STD_I32LE;
+        case ElementType::u32:
+            return H5T_STD_U32LE;
+        case ElementType::u16:
+            return H5T_STD_U16LE;
+        case ElementType::u8:
+            return H5T_STD_U8LE;
+    }
+    throw InternalError("an element type without a file type");
+}
+
+std::vector<hsize_t> dimensions(const Rows& rows) {
+    std::vector<hsize_t> dims = {rows.count};
+    dims.insert(dims.end(), rows.shape.begin(), rows.shape.end());
+    return dims;
+}
+
+Hdf5Id creation_list(const Rows& rows, const Layout& layout, const std::string& file) {
+    const std::string what = "HDF5 cannot be used";
+    Hdf5Id list = owned(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, what);
+    const bool chunked = layout.extendible || (layout.gzip > 0 && rows.elements() > 0);
+    if (!chunked) return list;
+    const std::size_t row_bytes = std::max<std::size_t>(1, rows.row_bytes());
+    std::size_t chunk_rows = layout.extendible ? std::max(kGrowingChunkRows, kGrowingChunkBytes / row_bytes)
+                                               : std::min(kPackedRows, rows.count);
+    std::vector<hsize_t> chunk = dimensions(rows);
+    chunk[0] = chunk_rows;
+    require(H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data()), file, what);
+    if (layout.gzip > 0) {
+        require(H5Pset_shuffle(list.get()), file, what);
+        require(H5Pset_deflate(list.get(), static_cast<unsigned>(layout.gzip)), file, what);
+    }
+    return list;
+}
+
+void put_meaning(const Hdf5Id& dataset, const Meaning& meaning, const std::string& file) {
+    put_text_attribute(dataset.get(), "unit", meaning.unit, file);
+    put_text_attribute(dataset.get(), "description", meaning.description, file);
+    if (!meaning.frame.empty()) put_text_attribute(dataset.get(), "frame", meaning.frame, file);
+}
+
 std::size_t Rows::elements() const {
     std::size_t n = count;
     for (std::size_t side : shape) n *= side;
     return n;
+}
+
+std::size_t Rows::row_bytes() const {
+    Rows one = *this;
+    one.count = 1;
+    return one.elements() * H5Tget_size(memory_type(type));
 }
 
 Rows rows_of(std::span<const double> values) {
@@ -160,9 +170,7 @@ void write_rows(const Hdf5Group& group, const std::string& name, const Rows& row
     if (rows.elements() > 0) {
         require(H5Dwrite(dataset.get(), memory_type(rows.type), H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data), file, what);
     }
-    put_text_attribute(dataset.get(), "unit", meaning.unit, file);
-    put_text_attribute(dataset.get(), "description", meaning.description, file);
-    if (!meaning.frame.empty()) put_text_attribute(dataset.get(), "frame", meaning.frame, file);
+    put_meaning(dataset, meaning, file);
 }
 
 void append_rows(const Hdf5Group& group, const std::string& name, const Rows& rows) {

@@ -5,6 +5,7 @@
 
 #include "core/errors.hpp"
 #include "io/hdf5/hdf5_checks.hpp"
+#include "io/hdf5/placing_driver.hpp"
 
 namespace scree::io {
 
@@ -109,13 +110,25 @@ int Hdf5Id::reset() {
 Hdf5File::Hdf5File(Hdf5Id id, std::string path)
     : path_(std::move(path)), id_(std::move(id)), root_(root_group(id_, path_)) {}
 
-Hdf5File Hdf5File::create(const std::string& path, std::size_t user_block) {
-    const Hdf5Id access = file_access(path);
+namespace {
+
+Hdf5Id create_file(const std::string& path, std::size_t user_block, const Hdf5Id& access) {
     const Hdf5Id creation = owned(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "HDF5 cannot be used");
     require(H5Pset_userblock(creation.get(), user_block), path, "HDF5 cannot be used");
-    return {owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path,
-                  "cannot be created"),
-            path};
+    return owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path,
+                 "cannot be created");
+}
+
+}  // namespace
+
+Hdf5File Hdf5File::create(const std::string& path, std::size_t user_block) {
+    return {create_file(path, user_block, file_access(path)), path};
+}
+
+Hdf5File Hdf5File::create_placing(const std::string& path, std::size_t user_block) {
+    const Hdf5Id access = file_access(path);
+    use_placing_driver(access, path);
+    return {create_file(path, user_block, access), path};
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {

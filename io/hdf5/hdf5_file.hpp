@@ -24,6 +24,7 @@ struct Rows {
     std::vector<std::size_t> shape;
 
     std::size_t elements() const;  // of all rows
+    std::size_t row_bytes() const;
 };
 Rows rows_of(std::span<const double> values);
 Rows rows_of(std::span<const std::int64_t> values);
@@ -38,6 +39,10 @@ Rows rows_of(std::span<const Vec3> values);
 struct Meaning {
     std::string_view unit, description, frame = {};
 };
+
+// Rows of a chunk of a compressed dataset. One number for all, so that ranks that write whole chunks write the same
+// rows of each dataset.
+inline constexpr std::size_t kPackedRows = 8192;
 
 // How a dataset is laid out on disk.
 struct Layout {
@@ -121,12 +126,17 @@ std::vector<std::string> read_texts(const Hdf5Group& group, const std::string& n
 
 // Reads a whole dataset into `out` (room for all its elements); HDF5 converts to `type` if the file has another.
 void read_elements(const Hdf5Group& group, const std::string& name, ElementType type, void* out);
+// `count` rows from row `begin` on.
+void read_some_rows(const Hdf5Group& group, const std::string& name, ElementType type, std::uint64_t begin,
+                    std::uint64_t count, void* out);
 std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name);
 
 class Hdf5File {
   public:
     // An old file of this name is replaced. The first `user_block` bytes (0, or a power of 2 from 512) are left free.
     static Hdf5File create(const std::string& path, std::size_t user_block = 0);
+    // The same, by the placing driver (placing_driver.hpp).
+    static Hdf5File create_placing(const std::string& path, std::size_t user_block);
     static Hdf5File open(const std::string& path);  // for reading
     static Hdf5File open_writable(const std::string& path);
 

@@ -1,4 +1,5 @@
 // What datasets there are, and their numbers.
+#include "core/errors.hpp"
 #include "io/hdf5/hdf5_checks.hpp"
 
 namespace scree::io {
@@ -40,6 +41,24 @@ void read_elements(const Hdf5Group& group, const std::string& name, ElementType 
     }
     require(H5Dread(dataset.get(), memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, out), group.file(),
             about(name, "cannot be read"));
+}
+
+void read_some_rows(const Hdf5Group& group, const std::string& name, ElementType type, std::uint64_t begin,
+                    std::uint64_t count, void* out) {
+    if (count == 0) return;
+    const std::string what = about(name, "cannot be read");
+    const Hdf5Id dataset = open_dataset(group, name);
+    std::vector<hsize_t> some = extent(dataset, name, group.file()), start(some.size(), 0);
+    if (some.empty()) throw IoError(group.file() + ": " + about(name, "has no rows"));
+    some[0] = count;
+    start[0] = begin;
+    const int rank = static_cast<int>(some.size());
+    const Hdf5Id memory = owned(H5Screate_simple(rank, some.data(), nullptr), H5Sclose, group.file(), what);
+    const Hdf5Id source = owned(H5Dget_space(dataset.get()), H5Sclose, group.file(), what);
+    require(H5Sselect_hyperslab(source.get(), H5S_SELECT_SET, start.data(), nullptr, some.data(), nullptr),
+            group.file(), what);
+    require(H5Dread(dataset.get(), memory_type(type), memory.get(), source.get(), H5P_DEFAULT, out), group.file(),
+            what);
 }
 
 std::vector<double> read_numbers(const Hdf5Group& group, const std::string& name) {

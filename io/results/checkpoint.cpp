@@ -6,8 +6,11 @@
 #include <filesystem>
 
 #include "core/errors.hpp"
+#include "core/parallel/sorted_slices.hpp"
+#include "core/parallel/together.hpp"
 #include "io/atomic_file.hpp"
 #include "io/hdf5/hdf5_file.hpp"
+#include "io/hdf5/shared_file.hpp"
 #include "io/results/sealed_file.hpp"
 #include "io/results/state_archive.hpp"
 
@@ -53,46 +56,82 @@ void remove_old(const std::string& folder, std::uint64_t step) {
     }
 }
 
+// Rank 0's list, on all ranks.
+std::vector<std::string> agreed_list(const std::string& folder, const Communicator& ranks) {
+    std::string names;
+    if (ranks.root()) {
+        for (const Numbered& file : numbered(folder)) names += fs::path(file.path).filename().string() + '\n';
+    }
+    ranks.broadcast(names);
+    std::vector<std::string> paths;
+    for (std::size_t at = 0; at < names.size(); at = names.find('\n', at) + 1) {
+        paths.push_back(folder + "/" + names.substr(at, names.find('\n', at) - at));
+    }
+    return paths;
+}
+
+void write_file(const std::string& path, const State& state, const Bodies& bodies, const WarmStart& warm_start,
+                const Provenance& provenance, const Communicator& ranks) {
+    SharedFile file(path, kSealBytes, ranks);
+    file.by_root([&](const Hdf5Group& root) {
+        write_format(root, kFormat);
+        root.attribute("time", state.time);
+        root.attribute("step", state.step);
+        write_provenance(root, provenance);
+    });
+    const std::uint64_t checksum = write_state(file, state, bodies, warm_start);
+    file.by_root([&](const Hdf5Group& root) { root.attribute("checksum", checksum); });
+    file.close();
+}
+
 }  // namespace
 
-std::string write_checkpoint(const std::string& folder, const State& state, const Provenance& provenance) {
-    make_folder(folder);
+std::string write_checkpoint(const std::string& folder, const State& state, const WarmStart& own,
+                             const Provenance& provenance, const Communicator& ranks) {
+    by_root(ranks, [&] { make_folder(folder); });
     const std::string path = folder + "/" + fmt::format("{}{:010}{}", kPrefix, state.step, kSuffix);
-    AtomicFile out(path);
-    Hdf5File file = Hdf5File::create(out.temporary(), kSealBytes);
-    write_format(file.root(), kFormat);
-    file.root().attribute("time", state.time);
-    file.root().attribute("step", state.step);
-    write_provenance(file.root(), provenance);
-    file.root().attribute("checksum", write_state(file.root(), state));
-    file.close();
-    seal(out.temporary());
+    AtomicFile out(path, ranks);
+    if (ranks.alone()) {
+        write_file(out.temporary(), state, state.bodies, own, provenance, ranks);
+    } else {
+        const BodySlice slice = slice_bodies(state.bodies, 1, ranks);
+        write_file(out.temporary(), state, slice.bodies, slice_warm_start(own, ranks), provenance, ranks);
+    }
+    seal(out.temporary(), ranks);
     out.commit();
-    remove_old(folder, state.step);
+    if (ranks.root()) remove_old(folder, state.step);
     return path;
 }
 
-State read_checkpoint(const std::string& path, Provenance* provenance) {
-    check_seal(path);
-    const Hdf5File file = Hdf5File::open(path);
-    check_format(file.root(), kFormat);
+std::string write_checkpoint(const std::string& folder, const State& state, const Provenance& provenance) {
+    return write_checkpoint(folder, state, state.warm_start, provenance);
+}
+
+State read_checkpoint(const std::string& path, Provenance* provenance, const Communicator& ranks) {
+    check_seal(path, ranks);
     State state;
-    const std::uint64_t checksum = read_state(file.root(), state);
-    if (checksum != file.root().integer_attribute("checksum")) {
+    std::uint64_t checksum = 0, expected = 0;
+    together(ranks, [&] {
+        const Hdf5File file = Hdf5File::open(path);
+        check_format(file.root(), kFormat);
+        checksum = read_state(file.root(), state, ranks);
+        expected = file.root().integer_attribute("checksum");
+        if (provenance != nullptr) *provenance = read_provenance(file.root());
+    });
+    if (ranks.sum(checksum) != expected) {
         throw IoError(path + ": this checkpoint is damaged: its checksum does not fit its numbers");
     }
-    if (provenance != nullptr) *provenance = read_provenance(file.root());
     return state;
 }
 
-std::optional<FoundCheckpoint> find_latest_checkpoint(const std::string& folder) {
+std::optional<FoundCheckpoint> find_latest_checkpoint(const std::string& folder, const Communicator& ranks) {
     FoundCheckpoint found;
-    for (const Numbered& file : numbered(folder)) {
+    for (const std::string& path : agreed_list(folder, ranks)) {
         try {
-            found.state = read_checkpoint(file.path, &found.provenance);
-            found.path = file.path;
+            found.state = read_checkpoint(path, &found.provenance, ranks);
+            found.path = path;
             return found;
-        } catch (const IoError& error) {
+        } catch (const IoError& error) {  // on all ranks
             found.messages.emplace_back(error.what());
         }
     }

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <nlohmann/json.hpp>
 
+#include "core/parallel/together.hpp"
 #include "io/atomic_file.hpp"
 
 namespace scree::io {
@@ -32,7 +33,11 @@ off_t whole_lines(int file, const std::string& path) {
 
 }  // namespace
 
-RunLog::RunLog(std::string path, bool continued) : path_(std::move(path)) {
+RunLog::RunLog(std::string path, bool continued, const Communicator& ranks) : path_(std::move(path)), ranks_(ranks) {
+    by_root(ranks_, [&] { open(continued); });
+}
+
+void RunLog::open(bool continued) {
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | (continued ? 0 : O_TRUNC), 0666);
     if (file_ < 0) throw_system_error(path_, "cannot be opened", errno);
     if (continued && ::ftruncate(file_, whole_lines(file_, path_)) != 0) {
@@ -67,10 +72,11 @@ void RunLog::provenance(const Provenance& p) {
     record["scenario_text"] = p.scenario_text;
     record["scenario_resolved"] = p.scenario_resolved;
     // Text that is not UTF-8 (a command line can be anything) is replaced, not refused.
-    line(record.dump(-1, ' ', false, Json::error_handler_t::replace));
+    by_root(ranks_, [&] { line(record.dump(-1, ' ', false, Json::error_handler_t::replace)); });
 }
 
 void RunLog::progress(const Progress& p) {
+    if (!ranks_.root()) return;
     Json phases = Json::object();
     for (std::size_t i = 0; i < kPhaseCount; ++i) phases[std::string(kPhaseNames[i])] = p.wall_by_phase[i];
     const Json record = {{"kind", "progress"},
@@ -85,14 +91,27 @@ void RunLog::progress(const Progress& p) {
                          {"mass", p.mass},
                          {"wall_time", p.wall_time},
                          {"wall_by_phase", phases}};
-    line(record.dump());
+    line_or_fault(record.dump());
+}
+
+void RunLog::ranks(const RankLoads& loads) {
+    if (ranks_.root()) line_or_fault(to_json(loads));
+}
+
+void RunLog::line_or_fault(const std::string& text) {
+    if (ranks_.alone()) return line(text);
+    const std::string fault = fault_of([&] { line(text); });
+    if (fault_.empty()) fault_ = fault;
 }
 
 void RunLog::status(const std::string& status, const std::string& reason, double time, std::uint64_t step,
                     std::uint64_t state_hash) {
     const Json record = {{"kind", "status"}, {"status", status}, {"reason", reason},
                          {"time", time},     {"step", step},     {"state_hash", fmt::format("{:016x}", state_hash)}};
-    line(record.dump(-1, ' ', false, Json::error_handler_t::replace));
+    by_root(ranks_, [&] {
+        if (!fault_.empty()) throw IoError(fault_);
+        line(record.dump(-1, ' ', false, Json::error_handler_t::replace));
+    });
 }
 
 }  // namespace scree::io

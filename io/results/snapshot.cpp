@@ -6,8 +6,11 @@
 #include <filesystem>
 
 #include "core/errors.hpp"
+#include "core/parallel/sorted_slices.hpp"
+#include "core/parallel/together.hpp"
 #include "io/atomic_file.hpp"
 #include "io/hdf5/hdf5_file.hpp"
+#include "io/hdf5/shared_file.hpp"
 #include "io/results/wall_description.hpp"
 
 namespace scree::io {
@@ -25,37 +28,36 @@ std::vector<Vec3> shifted(const std::vector<Vec3>& positions, const Vec3& origin
     return out;
 }
 
-void write_bodies(const Hdf5Group& root, const Scene& scene, const Bodies& bodies, const Layout& layout) {
-    const Hdf5Group group = root.group("bodies");
+// `spins`, `orientations`: whether the run has them; a rank without bodies cannot see it.
+void write_bodies(SharedFile& file, const Scene& scene, const Bodies& bodies, bool spins, bool orientations,
+                  const Layout& layout) {
+    const auto write = [&](const char* field, const Rows& rows, const Meaning& meaning) {
+        file.rows(std::string("bodies/") + field, rows, meaning, layout);
+    };
     const auto asked = [&](const char* field) {
         const std::vector<std::string>& fields = scene.output.fields;
         return std::find(fields.begin(), fields.end(), field) != fields.end();
     };
     std::vector<std::int64_t> id;
     for (BodyId i : bodies.id) id.push_back(static_cast<std::int64_t>(raw(i)));
-    write_rows(group, "id", rows_of(id), {"1", "stable number of the body; rows are in its order"}, layout);
-    write_rows(group, "position", rows_of(shifted(bodies.position, scene.origin)), {"m", "centre", "world"}, layout);
-    write_rows(group, "radius", rows_of(bodies.radius), {"m", "radius"}, layout);
-    if (asked("velocity")) {
-        write_rows(group, "velocity", rows_of(bodies.velocity), {"m/s", "velocity of the centre", "world"}, layout);
-    }
-    if (asked("spin") && bodies.spin.size() == bodies.size()) {
-        write_rows(group, "spin", rows_of(bodies.spin), {"rad/s", "angular velocity", "world"}, layout);
-    }
-    if (asked("mass")) write_rows(group, "mass", rows_of(bodies.mass), {"kg", "mass"}, layout);
+    write("id", rows_of(id), {"1", "stable number of the body; rows are in its order"});
+    write("position", rows_of(shifted(bodies.position, scene.origin)), {"m", "centre", "world"});
+    write("radius", rows_of(bodies.radius), {"m", "radius"});
+    if (asked("velocity")) write("velocity", rows_of(bodies.velocity), {"m/s", "velocity of the centre", "world"});
+    if (asked("spin") && spins) write("spin", rows_of(bodies.spin), {"rad/s", "angular velocity", "world"});
+    if (asked("mass")) write("mass", rows_of(bodies.mass), {"kg", "mass"});
     if (asked("material")) {
         std::vector<std::int32_t> material;
         for (MaterialIndex m : bodies.material) material.push_back(raw(m));
-        write_rows(group, "material", rows_of(material), {"1", "row of /materials"}, layout);
+        write("material", rows_of(material), {"1", "row of /materials"});
     }
-    if (asked("orientation") && bodies.orientation.size() == bodies.size()) {
+    if (asked("orientation") && orientations) {
         std::vector<double> wxyz;
         for (const Quat& q : bodies.orientation) wxyz.insert(wxyz.end(), {q.w(), q.x(), q.y(), q.z()});
         Rows rows = rows_of(wxyz);
         rows.count = bodies.size();
         rows.shape = {4};
-        write_rows(group, "orientation", rows, {"1", "unit quaternion w, x, y, z from the body to the world", "world"},
-                   layout);
+        write("orientation", rows, {"1", "unit quaternion w, x, y, z from the body to the world", "world"});
     }
 }
 
@@ -102,9 +104,12 @@ void write_walls(const Hdf5Group& root, const Scene& scene, double time) {
     write_rows(group, "translation", rows_of(translation), {"m", "world = rotation . local + translation", "world"});
 }
 
-void write_contacts(const Hdf5Group& root, const Scene& scene, const std::vector<ContactRecord>& contacts,
+// `contacts`: in order of key.
+void write_contacts(SharedFile& file, const Scene& scene, const std::vector<ContactRecord>& contacts,
                     const Layout& layout) {
-    const Hdf5Group group = root.group("contacts");
+    const auto write = [&](const char* field, const Rows& rows, const Meaning& meaning) {
+        file.rows(std::string("contacts/") + field, rows, meaning, layout);
+    };
     std::vector<std::int64_t> a, b;
     std::vector<std::uint32_t> feature;
     std::vector<Vec3> point, normal, impulse, force;
@@ -122,16 +127,15 @@ void write_contacts(const Hdf5Group& root, const Scene& scene, const std::vector
         force.push_back(c.impulse / c.step);
         status.push_back(static_cast<std::uint8_t>(c.status));
     }
-    write_rows(group, "id_a", rows_of(a), {"1", "body a"}, layout);
-    write_rows(group, "id_b", rows_of(b), {"1", "body b; -1 - row of /walls for a wall"}, layout);
-    write_rows(group, "feature", rows_of(feature), {"1", "which surface or edge of the wall; 0 between bodies"},
-               layout);
-    write_rows(group, "point", rows_of(point), {"m", "where they touch, at the middle of the step", "world"}, layout);
-    write_rows(group, "normal", rows_of(normal), {"1", "unit normal from b to a", "world"}, layout);
-    write_rows(group, "gap", rows_of(gap), {"m", "distance at the end of the step; negative: penetration"}, layout);
-    write_rows(group, "impulse", rows_of(impulse), {"N s", "impulse on a in the step", "world"}, layout);
-    write_rows(group, "force", rows_of(force), {"N", "mean force on a over the step", "world"}, layout);
-    write_rows(group, "status", rows_of(status), {"1", "0 open, 1 sticking, 2 sliding"}, layout);
+    write("id_a", rows_of(a), {"1", "body a"});
+    write("id_b", rows_of(b), {"1", "body b; -1 - row of /walls for a wall"});
+    write("feature", rows_of(feature), {"1", "which surface or edge of the wall; 0 between bodies"});
+    write("point", rows_of(point), {"m", "where they touch, at the middle of the step", "world"});
+    write("normal", rows_of(normal), {"1", "unit normal from b to a", "world"});
+    write("gap", rows_of(gap), {"m", "distance at the end of the step; negative: penetration"});
+    write("impulse", rows_of(impulse), {"N s", "impulse on a in the step", "world"});
+    write("force", rows_of(force), {"N", "mean force on a over the step", "world"});
+    write("status", rows_of(status), {"1", "0 open, 1 sticking, 2 sliding"});
 }
 
 bool is_snapshot_name(const std::string& name) {
@@ -141,33 +145,48 @@ bool is_snapshot_name(const std::string& name) {
 }  // namespace
 
 void write_snapshot(const std::string& path, std::uint64_t number, const Scene& scene, const State& state,
-                    const std::vector<ContactRecord>& contacts, const Provenance& provenance) {
-    AtomicFile out(path);
-    Hdf5File file = Hdf5File::create(out.temporary());
-    const Hdf5Group& root = file.root();
+                    const std::vector<ContactRecord>& contacts, const Provenance& provenance,
+                    const Communicator& ranks) {
+    AtomicFile out(path, ranks);
+    SharedFile file(out.temporary(), 0, ranks);
     const Layout layout{.gzip = scene.output.compression};
     const Vec3 gravity = scene.gravity.at(state.time);
-    write_format(root, kFormat);
-    root.attribute("number", number);
-    root.attribute("time", state.time);
-    root.attribute("step", state.step);
-    root.attribute("title", scene.title);
-    root.attribute("gravity", std::span<const double>(gravity.data(), 3));
-    root.attribute("units", "time s, gravity m/s2");
-    write_provenance(root, provenance);
-    write_materials(root, scene);
-    write_walls(root, scene, state.time);
-    write_bodies(root, scene, state.bodies, layout);
-    if (scene.output.contacts) write_contacts(root, scene, contacts, layout);
+    file.by_root([&](const Hdf5Group& root) {
+        write_format(root, kFormat);
+        root.attribute("number", number);
+        root.attribute("time", state.time);
+        root.attribute("step", state.step);
+        root.attribute("title", scene.title);
+        root.attribute("gravity", std::span<const double>(gravity.data(), 3));
+        root.attribute("units", "time s, gravity m/s2");
+        write_provenance(root, provenance);
+        write_materials(root, scene);
+        write_walls(root, scene, state.time);
+    });
+    if (ranks.alone()) {
+        const Bodies& b = state.bodies;
+        write_bodies(file, scene, b, b.spin.size() == b.size(), b.orientation.size() == b.size(), layout);
+    } else {
+        const BodySlice slice = slice_bodies(state.bodies, kPackedRows, ranks);
+        const bool none = ranks.all(slice.bodies.size() == 0);  // empty arrays are arrays of no bodies
+        write_bodies(file, scene, slice.bodies, slice.spins || none, slice.orientations || none, layout);
+    }
+    if (scene.output.contacts) write_contacts(file, scene, slice_contacts(contacts, kPackedRows, ranks), layout);
     file.close();
     out.commit();
 }
 
-SnapshotSeries::SnapshotSeries(std::string run_folder, std::uint64_t first_number)
-    : run_folder_(std::move(run_folder)), xdmf_(run_folder_ + "/run.xdmf") {
-    const std::string folder = run_folder_ + "/" + kFolder;
-    make_folder(folder);
-    remove_leftovers(folder);
+SnapshotSeries::SnapshotSeries(std::string run_folder, std::uint64_t first_number, const Communicator& ranks)
+    : run_folder_(std::move(run_folder)), ranks_(ranks), xdmf_(run_folder_ + "/run.xdmf") {
+    by_root(ranks_, [&] {
+        const std::string folder = run_folder_ + "/" + kFolder;
+        make_folder(folder);
+        remove_leftovers(folder);
+        list_again(first_number);
+    });
+}
+
+void SnapshotSeries::list_again(std::uint64_t first_number) {
     for (const std::string& path : list_snapshots(run_folder_)) {
         const std::string name = fs::path(path).filename().string();
         if (std::stoull(name) >= first_number) break;
@@ -183,12 +202,16 @@ void SnapshotSeries::write(const Scene& scene, State& state, const std::vector<C
                            const Provenance& provenance) {
     const std::string relative = fmt::format("{}/{:06}.h5", kFolder, state.snapshots_written);
     const std::string path = run_folder_ + "/" + relative;
-    write_snapshot(path, state.snapshots_written, scene, state, contacts, provenance);
-    xdmf_.add(path, relative);
-    xdmf_.write();
-    std::error_code code;
-    const std::uintmax_t size = fs::file_size(path, code);
-    if (!code) bytes_ += size;
+    write_snapshot(path, state.snapshots_written, scene, state, contacts, provenance, ranks_);
+    std::uint64_t size = 0;
+    by_root(ranks_, [&] {
+        xdmf_.add(path, relative);
+        xdmf_.write();
+        std::error_code code;
+        const std::uintmax_t bytes = fs::file_size(path, code);
+        if (!code) size = bytes;
+    });
+    bytes_ += ranks_.max(size);
     ++files_;
     ++state.snapshots_written;
 }

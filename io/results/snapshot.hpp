@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/contact_record.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "io/results/provenance.hpp"
@@ -24,16 +25,19 @@
 
 namespace scree::io {
 
-// One file, atomically. Fields, contacts and compression as scene.output says.
+// One file of all ranks, atomically; collective. Fields, contacts and compression as scene.output says. Ghosts are left
+// out; `contacts` are this rank's, disjoint over ranks, in any order (in the file: in order of key).
 void write_snapshot(const std::string& path, std::uint64_t number, const Scene& scene, const State& state,
-                    const std::vector<ContactRecord>& contacts, const Provenance& provenance);
+                    const std::vector<ContactRecord>& contacts, const Provenance& provenance,
+                    const Communicator& ranks = Communicator::self());
 
-// The snapshots of a run folder, and run.xdmf that lists them.
+// The snapshots of a run folder, and run.xdmf that lists them (kept by rank 0). All functions are collective.
 class SnapshotSeries {
   public:
     // `first_number` is 0, or state.snapshots_written of the checkpoint that the run continues from: the snapshots
     // before it are found in the folder and listed, the later ones will be written again.
-    SnapshotSeries(std::string run_folder, std::uint64_t first_number);
+    SnapshotSeries(std::string run_folder, std::uint64_t first_number,
+                   const Communicator& ranks = Communicator::self());
 
     // Writes the snapshot with the number state.snapshots_written, rewrites run.xdmf, adds one to the number.
     void write(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts,
@@ -43,7 +47,10 @@ class SnapshotSeries {
     std::uint64_t bytes() const { return bytes_; }
 
   private:
+    void list_again(std::uint64_t first_number);
+
     std::string run_folder_;
+    Communicator ranks_;
     XdmfSeries xdmf_;
     std::uint64_t files_ = 0, bytes_ = 0;
 };

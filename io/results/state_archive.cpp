@@ -7,8 +7,10 @@
 #include <type_traits>
 
 #include "core/errors.hpp"
+#include "core/parallel/sorted_slices.hpp"
 #include "io/checksum.hpp"
 #include "io/hdf5/hdf5_file.hpp"
+#include "io/hdf5/shared_file.hpp"
 
 namespace scree::io {
 
@@ -53,53 +55,149 @@ struct Packing<std::array<double, N>> {
     static void unpack(const double* from, std::array<double, N>& to) { std::memcpy(to.data(), from, sizeof(to)); }
 };
 
-void add(Checksum& checksum, const std::string& name, const void* data, std::size_t bytes) {
-    checksum.add(name.data(), name.size());
-    checksum.add(data, bytes);
+// Rows begin <= row < end of a dataset.
+struct Range {
+    std::uint64_t begin = 0, end = 0;
+};
+
+template <class Things, class Member>
+auto packed_column(const Things& things, const Member& member) {
+    using Pack = Packing<std::remove_cvref_t<decltype(member(things[0]))>>;
+    std::vector<typename Pack::Number> packed(things.size() * Pack::width);
+    std::size_t at = 0;
+    for (const auto& thing : things) Pack::pack(member(thing), packed.data() + Pack::width * at++);
+    return packed;
 }
 
 struct Writer {
     static constexpr bool kReading = false;
-    const Hdf5Group& root;
-    Checksum checksum;
+    SharedFile& file;
+    RowsChecksum checksum;
 
-    // One number (or small array) a thing: `member` picks it.
+    // One number (or small array) a thing: `member` picks it. The things are equal on all ranks.
     template <class Things, class Member>
     void column(const std::string& name, const Things& things, const Member& member, const Meaning& meaning) {
-        using Pack = Packing<std::remove_cvref_t<decltype(member(things[0]))>>;
-        std::vector<typename Pack::Number> packed(things.size() * Pack::width);
-        std::size_t at = 0;
-        for (const auto& thing : things) Pack::pack(member(thing), packed.data() + Pack::width * at++);
-        add(checksum, name, packed.data(), packed.size() * sizeof(typename Pack::Number));
-        Rows rows = rows_of(std::span<const typename Pack::Number>(packed));
-        rows.count = things.size();
-        if (Pack::width > 1) rows.shape = {Pack::width};
-        write_rows(root, name, rows, meaning);
+        if (!file.ranks().root()) return;
+        const auto packed = packed_column(things, member);
+        const Rows rows = view(packed, things.size(), Packing<std::remove_cvref_t<decltype(member(things[0]))>>::width);
+        file.by_root([&](const Hdf5Group& root) { write_rows(root, name, rows, meaning); });
+        add(name, rows, {0, rows.count});
+    }
+    // Each rank has its own things.
+    template <class Things, class Member>
+    void slice(const std::string& name, const Things& things, const Member& member, const Meaning& meaning) {
+        const auto packed = packed_column(things, member);
+        const Rows rows = view(packed, things.size(), Packing<std::remove_cvref_t<decltype(member(things[0]))>>::width);
+        add(name, rows, file.rows(name, rows, meaning));
+    }
+    void bodies_here() {}
+    void contacts_here() {}
+
+  private:
+    template <class Number>
+    static Rows view(const std::vector<Number>& packed, std::size_t count, std::size_t width) {
+        Rows rows = rows_of(std::span<const Number>(packed));
+        rows.count = count;
+        if (width > 1) rows.shape = {width};
+        return rows;
+    }
+    void add(const std::string& name, const Rows& rows, const SharedFile::Extent& extent) {
+        checksum.add(name, extent.begin, rows.data, rows.count, rows.row_bytes());
+        if (file.ranks().root()) checksum.add_total(name, extent.total);
     }
 };
 
-struct Reader {
+class Reader {
+  public:
     static constexpr bool kReading = true;
+    Reader(const Hdf5Group& group, const Communicator& ranks) : root(group), ranks_(ranks) {}
     const Hdf5Group& root;
-    Checksum checksum;
+    RowsChecksum checksum;
 
     template <class Things, class Member>
     void column(const std::string& name, Things& things, const Member& member, const Meaning&) {
         using Pack = Packing<std::remove_cvref_t<decltype(member(things[0]))>>;
-        const DatasetInfo info = root.dataset(name);
-        const std::vector<std::size_t> shape = info.shape;
+        const std::uint64_t total = rows_in<Pack>(name);
+        read<Pack>(name, things, member, {0, total}, total, ranks_.root());
+    }
+    template <class Things, class Member>
+    void slice(const std::string& name, Things& things, const Member& member, const Meaning&) {
+        using Pack = Packing<std::remove_cvref_t<decltype(member(things[0]))>>;
+        const std::uint64_t total = rows_in<Pack>(name);
+        if (total != 0 && total != total_) throw_length(name);
+        read<Pack>(name, things, member, total == 0 ? Range{} : range_, total, true);
+    }
+    // From here on, slice() reads the rows of this rank's bodies.
+    void bodies_here() {
+        total_ = rows_in<Packing<BodyId>>("bodies/id");
+        const Division division{total_, 1, ranks_.size()};
+        range_ = {division.first(ranks_.rank()), division.first(ranks_.rank() + 1)};
+    }
+    // From here on, it reads those of the contacts whose body a this rank has.
+    void contacts_here() {
+        const std::uint64_t bodies = total_;
+        total_ = rows_in<Packing<std::uint64_t>>("warm_start/a");
+        if (ranks_.alone()) {
+            range_ = {0, total_};
+        } else {
+            range_ = {contacts_before(range_.begin, bodies), contacts_before(range_.end, bodies)};
+        }
+    }
+
+  private:
+    template <class Pack>
+    std::uint64_t rows_in(const std::string& name) const {
+        const std::vector<std::size_t> shape = root.dataset(name).shape;
         const bool fits = Pack::width == 1 ? shape.size() == 1 : shape.size() == 2 && shape[1] == Pack::width;
         if (!fits) throw IoError(root.file() + ": dataset '" + name + "' has another shape than expected");
-        if constexpr (requires { things.resize(shape[0]); }) {
-            if (things.empty()) things.resize(shape[0]);  // else an earlier column of the same things gave the size
+        return shape[0];
+    }
+    [[noreturn]] void throw_length(const std::string& name) const {
+        throw IoError(root.file() + ": dataset '" + name + "' has another length");
+    }
+
+    template <class Pack, class Things, class Member>
+    void read(const std::string& name, Things& things, const Member& member, const Range& range, std::uint64_t total,
+              bool summed) {
+        const std::size_t count = range.end - range.begin;
+        if constexpr (requires { things.resize(count); }) {
+            if (things.empty()) things.resize(count);  // else an earlier column of the same things gave the size
         }
-        if (things.size() != shape[0]) throw IoError(root.file() + ": dataset '" + name + "' has another length");
-        std::vector<typename Pack::Number> packed(things.size() * Pack::width);
-        read_elements(root, name, rows_of(std::span<const typename Pack::Number>(packed)).type, packed.data());
-        add(checksum, name, packed.data(), packed.size() * sizeof(typename Pack::Number));
+        if (things.size() != count) throw_length(name);
+        using Number = typename Pack::Number;
+        std::vector<Number> packed(count * Pack::width);
+        read_some_rows(root, name, rows_of(std::span<const Number>(packed)).type, range.begin, count, packed.data());
+        if (summed) checksum.add(name, range.begin, packed.data(), count, Pack::width * sizeof(Number));
+        if (ranks_.root()) checksum.add_total(name, total);
         std::size_t at = 0;
         for (auto& thing : things) Pack::unpack(packed.data() + Pack::width * at++, member(thing));
     }
+
+    std::uint64_t number_at(const char* name, std::uint64_t row) const {
+        std::uint64_t number = 0;
+        read_some_rows(root, name, ElementType::u64, row, 1, &number);
+        return number;
+    }
+    // The first contact that belongs to body number `row` or one after it: contacts are in order of body a.
+    std::uint64_t contacts_before(std::uint64_t row, std::uint64_t bodies) const {
+        if (row == 0) return 0;
+        if (row >= bodies) return total_;
+        const std::uint64_t id = number_at("bodies/id", row);
+        std::uint64_t low = 0, high = total_;
+        while (low < high) {
+            const std::uint64_t middle = low + (high - low) / 2;
+            if (number_at("warm_start/a", middle) < id) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    Communicator ranks_;
+    Range range_;
+    std::uint64_t total_ = 0;
 };
 
 template <class Archive, class Vector>
@@ -113,25 +211,33 @@ void single(Archive& archive, const std::string& name, T& value, const Meaning& 
     whole(archive, name, one, meaning);
 }
 
+template <class Archive, class Vector>
+void each(Archive& archive, const std::string& name, Vector& values, const Meaning& meaning) {
+    archive.slice(
+        name, values, [](auto& value) -> auto& { return value; }, meaning);
+}
+
 template <class Archive, class B>
 void visit_bodies(Archive& a, B& b) {
-    whole(a, "bodies/id", b.id, {"1", "stable number of the body", ""});
-    whole(a, "bodies/radius", b.radius, {"m", "radius"});
-    whole(a, "bodies/mass", b.mass, {"kg", "mass"});
-    whole(a, "bodies/material", b.material, {"1", "index of the material"});
-    whole(a, "bodies/position", b.position, {"m", "centre, relative to the scene's origin", "scene"});
-    whole(a, "bodies/velocity", b.velocity, {"m/s", "velocity", "world"});
-    whole(a, "bodies/spin", b.spin, {"rad/s", "angular velocity; empty without friction", "world"});
-    whole(a, "bodies/orientation", b.orientation, {"1", "quaternion w, x, y, z; empty if no output asks", "world"});
+    a.bodies_here();
+    each(a, "bodies/id", b.id, {"1", "stable number of the body", ""});
+    each(a, "bodies/radius", b.radius, {"m", "radius"});
+    each(a, "bodies/mass", b.mass, {"kg", "mass"});
+    each(a, "bodies/material", b.material, {"1", "index of the material"});
+    each(a, "bodies/position", b.position, {"m", "centre, relative to the scene's origin", "scene"});
+    each(a, "bodies/velocity", b.velocity, {"m/s", "velocity", "world"});
+    each(a, "bodies/spin", b.spin, {"rad/s", "angular velocity; empty without friction", "world"});
+    each(a, "bodies/orientation", b.orientation, {"1", "quaternion w, x, y, z; empty if no output asks", "world"});
 }
 
 template <class Archive, class W>
 void visit_warm_start(Archive& a, W& w) {
-    a.column("warm_start/a", w.key, [](auto& k) -> auto& { return k.a; }, {"1", "body id"});
-    a.column("warm_start/b", w.key, [](auto& k) -> auto& { return k.b; }, {"1", "body id, or 2^63 + wall index"});
-    a.column("warm_start/feature", w.key, [](auto& k) -> auto& { return k.feature; }, {"1", "surface of the wall"});
-    whole(a, "warm_start/impulse_vector", w.impulse_vector, {"N s", "impulse on a; with friction", "world"});
-    whole(a, "warm_start/impulse_normal", w.impulse_normal, {"N s", "normal impulse; without friction"});
+    a.contacts_here();
+    a.slice("warm_start/a", w.key, [](auto& k) -> auto& { return k.a; }, {"1", "body id"});
+    a.slice("warm_start/b", w.key, [](auto& k) -> auto& { return k.b; }, {"1", "body id, or 2^63 + wall index"});
+    a.slice("warm_start/feature", w.key, [](auto& k) -> auto& { return k.feature; }, {"1", "surface of the wall"});
+    each(a, "warm_start/impulse_vector", w.impulse_vector, {"N s", "impulse on a; with friction", "world"});
+    each(a, "warm_start/impulse_normal", w.impulse_normal, {"N s", "normal impulse; without friction"});
     single(a, "warm_start/step", w.step, {"s", "length of the step that the impulses belong to"});
 }
 
@@ -216,15 +322,16 @@ void visit_totals(Archive& a, T& t) {
     single(a, "totals/wall_time", t.wall_time, {"s", "time of the wall clock"});
 }
 
-template <class Archive, class S>
-void visit_state(Archive& a, S& s) {
+template <class Archive, class S, class B, class W>
+void visit_state(Archive& a, S& s, B& bodies, W& warm_start) {
     single(a, "time", s.time, {"s", "simulated time"});
     single(a, "step", s.step, {"1", "scenario steps done"});
     single(a, "next_id", s.next_id, {"1", "next free body id"});
+    single(a, "block_size", s.block_size, {"m", "edge of the blocks that order the work; 0: not chosen yet"});
     single(a, "snapshots_written", s.snapshots_written, {"1", "snapshots so far"});
     single(a, "history_rows", s.history_rows, {"1", "rows of the history so far"});
-    visit_bodies(a, s.bodies);
-    visit_warm_start(a, s.warm_start);
+    visit_bodies(a, bodies);
+    visit_warm_start(a, warm_start);
     visit_doors(a, s);
     visit_measures(a, s);
     visit_ledger(a, s.ledger);
@@ -233,19 +340,21 @@ void visit_state(Archive& a, S& s) {
 
 }  // namespace
 
-std::uint64_t write_state(const Hdf5Group& root, const State& state) {
-    Writer writer{root, {}};
-    visit_state(writer, state);
-    for (const char* name : {"totals/wall_by_phase", "totals/wall_time"}) {
-        mark_dataset(root, name, "wall_clock", "differs from run to run");
-    }
-    return writer.checksum.value();
+std::uint64_t write_state(SharedFile& file, const State& state, const Bodies& bodies, const WarmStart& warm_start) {
+    Writer writer{file, {}};
+    visit_state(writer, state, bodies, warm_start);
+    file.by_root([](const Hdf5Group& root) {
+        for (const char* name : {"totals/wall_by_phase", "totals/wall_time"}) {
+            mark_dataset(root, name, "wall_clock", "differs from run to run");
+        }
+    });
+    return file.ranks().sum(writer.checksum.value());
 }
 
-std::uint64_t read_state(const Hdf5Group& root, State& state) {
+std::uint64_t read_state(const Hdf5Group& root, State& state, const Communicator& ranks) {
     state = {};
-    Reader reader{root, {}};
-    visit_state(reader, state);
+    Reader reader(root, ranks);
+    visit_state(reader, state, state.bodies, state.warm_start);
     return reader.checksum.value();
 }
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/exact_sum.hpp"
+#include "core/parallel/together.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
 
@@ -184,14 +186,18 @@ void write_error_vs_time(Writer& w, const Summary& s) {
 
 }  // namespace
 
-Summary summarise(const Scene& scene, const Plan& plan, const State& state) {
+Summary summarise(const Scene& scene, const Plan& plan, const State& state, const Communicator& ranks) {
     Summary s;
     s.title = scene.title;
-    s.state_hash = state_hash(state.bodies);
+    s.state_hash = state_hash(state.bodies, ranks);
     s.steps = state.step;
     s.simulated_time = state.time;
-    s.bodies = state.bodies.size();
-    for (double mass : state.bodies.mass) s.mass += mass;
+    s.bodies = ranks.sum(state.bodies.owned());
+    ExactSum mass;
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+        if (!state.bodies.is_ghost(i)) mass.add(state.bodies.mass[i]);
+    }
+    s.mass = ranks.sum(mass);
     for (std::size_t i = 0; i < scene.inlets.size() && i < state.inlets.size(); ++i) {
         s.inlets.push_back({scene.inlets[i].name, state.inlets[i].bodies, state.inlets[i].mass});
     }
@@ -238,8 +244,8 @@ std::string to_yaml(const Summary& s) {
     return w.str();
 }
 
-void write_summary(const std::string& path, const Summary& summary) {
-    write_text_atomically(path, to_yaml(summary));
+void write_summary(const std::string& path, const Summary& summary, const Communicator& ranks) {
+    by_root(ranks, [&] { write_text_atomically(path, to_yaml(summary)); });
 }
 
 }  // namespace scree::io

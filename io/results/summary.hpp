@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
@@ -51,9 +52,11 @@ struct Summary {
     Provenance provenance;
 };
 
-Summary summarise(const Scene& scene, const Plan& plan, const State& state);
+// Collective: of the bodies of all ranks.
+Summary summarise(const Scene& scene, const Plan& plan, const State& state,
+                  const Communicator& ranks = Communicator::self());
 std::string to_yaml(const Summary& summary);
-// Atomically.
-void write_summary(const std::string& path, const Summary& summary);
+// Atomically, by rank 0; collective.
+void write_summary(const std::string& path, const Summary& summary, const Communicator& ranks = Communicator::self());
 
 }  // namespace scree::io

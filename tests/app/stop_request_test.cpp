@@ -21,15 +21,14 @@ std::filesystem::path stop_file() {
 
 TEST(StopRequest, NothingAsked) {
     StopRequest stop(stop_file(), kNone);
-    EXPECT_EQ(stop.reason(100.0), std::nullopt);
+    EXPECT_EQ(stop.cause(100.0), StopCause::none);
 }
 
 TEST(StopRequest, SignalsAreNotedAndHandlersPutBack) {
     for (const auto& [signal, name] : {std::pair{SIGUSR1, "SIGUSR1"}, {SIGTERM, "SIGTERM"}, {SIGINT, "SIGINT"}}) {
         StopRequest stop(stop_file(), kNone);
         std::raise(signal);
-        ASSERT_TRUE(stop.reason(0.0).has_value());
-        EXPECT_NE(stop.reason(0.0)->find(name), std::string::npos);
+        EXPECT_NE(stop.reason(stop.cause(0.0)).find(name), std::string::npos);
     }
     struct sigaction now {};
     sigaction(SIGTERM, nullptr, &now);
@@ -41,7 +40,7 @@ TEST(StopRequest, WhatTheCallerIgnoresStaysIgnored) {
     {
         StopRequest stop(stop_file(), kNone);
         std::raise(SIGHUP);
-        EXPECT_EQ(stop.reason(0.0), std::nullopt);
+        EXPECT_EQ(stop.cause(0.0), StopCause::none);
     }
     std::signal(SIGHUP, SIG_DFL);
 }
@@ -59,17 +58,26 @@ TEST(StopRequestDeathTest, ASecondInterruptEndsTheProgram) {
 TEST(StopRequest, TheFileIsObeyedAndRemoved) {
     StopRequest stop(stop_file(), kNone);
     std::ofstream(stop_file()).put('\n');
-    ASSERT_TRUE(stop.reason(0.0).has_value());
+    EXPECT_EQ(stop.cause(0.0), StopCause::file);
     EXPECT_FALSE(std::filesystem::exists(stop_file()));
-    EXPECT_EQ(stop.reason(0.0), std::nullopt);  // looked for again only half a second later
+    EXPECT_EQ(stop.cause(0.0), StopCause::none);  // looked for again only half a second later
 }
 
 TEST(StopRequest, TimeIsKeptForTwoCheckpoints) {
     StopRequest stop(stop_file(), 100.0);
-    EXPECT_EQ(stop.reason(0.0), std::nullopt);
-    EXPECT_EQ(stop.reason(40.0), std::nullopt);
-    ASSERT_TRUE(stop.reason(49.5).has_value());
-    EXPECT_NE(stop.reason(49.5)->find("wall-time limit"), std::string::npos);
+    EXPECT_EQ(stop.cause(0.0), StopCause::none);
+    EXPECT_EQ(stop.cause(40.0), StopCause::none);
+    EXPECT_EQ(stop.cause(49.5), StopCause::wall_time);
+    EXPECT_NE(stop.reason(StopCause::wall_time).find("wall-time limit"), std::string::npos);
+}
+
+TEST(StopRequest, OtherRanksLeaveFileAndClockToTheFirst) {
+    StopRequest stop(stop_file(), 0.0, false);
+    std::ofstream(stop_file()).put('\n');
+    EXPECT_EQ(stop.cause(0.0), StopCause::none);
+    EXPECT_TRUE(std::filesystem::remove(stop_file()));
+    std::raise(SIGUSR1);
+    EXPECT_EQ(stop.cause(0.0), StopCause::user_signal);
 }
 
 TEST(StopRequest, TheEndOfASlurmJobIsALimit) {

@@ -75,7 +75,7 @@ contact::ContactSet next_contacts(Bed& bed) {
     contact::CandidateList candidates;
     candidates.update(bed.scene, bed.state, times.step, margin);
     contact::ContactSet contacts;
-    contact::find_contacts(bed.scene, bed.state, times, candidates, contacts);
+    contact::find_contacts(bed.scene, bed.state, times, candidates, Domain(), contacts);
     return contacts;
 }
 

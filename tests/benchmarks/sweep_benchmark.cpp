@@ -24,7 +24,7 @@ struct Problem {
 
     explicit Problem(int tiles) : bed(settled_bed(tiles, Law::kImpulse == 3 ? 0.5 : 0.0)) {
         contacts = next_contacts(bed);
-        layout.arrange(contacts, bed.state.bodies, solvers::choose_block_size(bed.state.bodies.radius));
+        layout.arrange(contacts, bed.state.bodies, solvers::choose_block_size(bed.state.bodies));
         assemble();
     }
     void assemble() {

@@ -19,7 +19,7 @@ ContactSet contacts_with(const World& w, const StepTimes& times, CandidateList& 
     contact_margins(w.scene, w.state, times, margin);
     list.update(w.scene, w.state, times.step, margin);
     ContactSet contacts;
-    find_contacts(w.scene, w.state, times, list, contacts);
+    find_contacts(w.scene, w.state, times, list, Domain(), contacts);
     return contacts;
 }
 

@@ -22,7 +22,7 @@ ContactSet contacts_of(World& w, double begin = 0.0) {
     contact_margins(w.scene, w.state, times, margin);
     candidates.update(w.scene, w.state, times.step, margin);
     ContactSet contacts;
-    find_contacts(w.scene, w.state, times, candidates, contacts);
+    find_contacts(w.scene, w.state, times, candidates, Domain(), contacts);
     return contacts;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <sstream>
 
 #include "core/parallel/communicator.hpp"
 #include "core/state_hash.hpp"
@@ -84,12 +85,29 @@ SmallScene random_scene(unsigned seed) {
     return w;
 }
 
+// The first body of this rank that is not as it should be, and what is near; empty if there is none.
+std::string first_difference(const State& one, const State& many) {
+    const Bodies& b = many.bodies;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        const auto at = std::lower_bound(one.bodies.id.begin(), one.bodies.id.end(), b.id[i]);
+        const auto j = static_cast<std::size_t>(at - one.bodies.id.begin());
+        if (b.position[i] == one.bodies.position[j] && b.velocity[i] == one.bodies.velocity[j]) continue;
+        std::ostringstream text;
+        text << (b.is_ghost(i) ? "ghost " : "body ") << raw(b.id[i]) << ", radius " << b.radius[i] << ", block "
+             << many.block_size << ", x " << b.position[i].transpose() << ", off by "
+             << (b.position[i] - one.bodies.position[j]).norm() << " m and "
+             << (b.velocity[i] - one.bodies.velocity[j]).norm() << " m/s";
+        return text.str();
+    }
+    return {};
+}
+
 void same_steps(const SmallScene& w, int steps, unsigned seed) {
     Run one(w, Communicator::self()), many(w, world());
     for (int k = 0; k < steps; ++k) {
         const StepReport a = one.stepper->advance(one.state), b = many.stepper->advance(many.state);
         ASSERT_EQ(state_hash(one.state.bodies), state_hash(many.state.bodies, world()))
-            << "scene " << seed << ", step " << k;
+            << "scene " << seed << ", step " << k << ": " << first_difference(one.state, many.state);
         ASSERT_EQ(a.sweeps, b.sweeps) << "scene " << seed << ", step " << k;
         ASSERT_EQ(a.residual_rms, b.residual_rms);
         ASSERT_EQ(a.residual_max, b.residual_max);
@@ -106,7 +124,9 @@ void same_steps(const SmallScene& w, int steps, unsigned seed) {
 }
 
 TEST(StepOnRanks, RandomScenesHaveTheSameBits) {
-    for (unsigned seed = 0; seed < 200; ++seed) {
+    // many ranks on few cores wait for each other
+    const unsigned scenes = world().size() <= 3 ? 200 : 40;
+    for (unsigned seed = 0; seed < scenes; ++seed) {
         same_steps(random_scene(seed), 25, seed);
         if (HasFatalFailure()) return;
     }

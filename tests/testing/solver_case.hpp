@@ -16,7 +16,7 @@ inline contact::ContactSet contacts_of(const SmallScene& w) {
     contact::CandidateList candidates;
     candidates.update(w.scene, w.state, times.step, margin);
     contact::ContactSet contacts;
-    contact::find_contacts(w.scene, w.state, times, candidates, contacts);
+    contact::find_contacts(w.scene, w.state, times, candidates, Domain(), contacts);
     return contacts;
 }
 
@@ -32,7 +32,7 @@ struct SolverCase {
     explicit SolverCase(const SmallScene& w, const Vec3& walls_move = Vec3::Zero()) : contacts(contacts_of(w)) {
         const double h = w.scene.time.step;
         dv_free = h * w.scene.gravity.at(w.state.time + 0.5 * h);
-        layout.arrange(contacts, w.state.bodies, solvers::choose_block_size(w.state.bodies.radius));
+        layout.arrange(contacts, w.state.bodies, solvers::choose_block_size(w.state.bodies));
         for (const contact::Contact& c : contacts)
             wall_velocity.push_back(c.key.is_wall() ? walls_move : Vec3(Vec3::Zero()));
         problem.assemble(contacts, layout, w.state, dv_free, wall_velocity);
