@@ -73,6 +73,7 @@ class ContactProblem {
     double reference_velocity() const { return v_ref_; }
     const std::vector<Block>& blocks() const { return layout_->blocks(); }
     const LineVector<Batch>& batches() const { return full_.batch; }
+    std::size_t batches_in_sweep() const { return is_single_ ? single_.sweeps.batch.size() : full_.batch.size(); }
     const LineVector<Line>& lines() const { return full_.line; }
     const Line& line_of(std::size_t body) const { return full_.line[layout_->line(body)]; }
     std::size_t bytes() const;

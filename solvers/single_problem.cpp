@@ -1,5 +1,6 @@
 #include "solvers/single_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,8 +35,10 @@ template <class Law>
 std::uint32_t SingleProblem<Law>::arrange(const Layout& layout, std::uint32_t from, std::uint32_t to,
                                           std::uint32_t at) {
     sorted_.assign(layout.blocks().begin() + from, layout.blocks().begin() + to);
-    std::stable_sort(sorted_.begin(), sorted_.end(),
-                     [](const Block& a, const Block& b) { return a.end - a.begin > b.end - b.begin; });
+    std::sort(sorted_.begin(), sorted_.end(), [](const Block& a, const Block& b) {
+        const std::uint32_t of_a = a.end - a.begin, of_b = b.end - b.begin;
+        return of_a != of_b ? of_a > of_b : a.begin < b.begin;
+    });
     const std::size_t first_run = runs_.size();
     std::array<std::uint32_t, 2> next{at, at};
     for (const Block& block : sorted_) {
@@ -82,7 +85,7 @@ void SingleProblem<Law>::load(const Sweeps<Law, double>& full, const Layout& lay
                               double v_ref) {
     arrange(layout);
     velocity_unit_ = std::ldexp(1.0, std::ilogb(v_ref));
-    inverse_mass_unit_ = std::ldexp(1.0, (std::ilogb(extremes.lightest) - std::ilogb(extremes.heaviest)) / 2);
+    inverse_mass_unit_ = std::ldexp(1.0, (std::ilogb(extremes.lightest) - std::ilogb(extremes.heaviest)) >> 1);
     const double to_velocity = 1.0 / velocity_unit_, to_inverse_mass = 1.0 / inverse_mass_unit_;
 
     sweeps.line.resize(full.line.size());
