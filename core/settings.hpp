@@ -22,8 +22,14 @@ enum class SolverMethod {
     conjugate_gauss_seidel,  // sweeps accelerated by a nonlinear conjugate gradient (the default)
 };
 
+enum class SolverPrecision {
+    mixed,  // sweeps in single precision where it cannot be what limits, completed and judged in double (the default)
+    full,   // all in double precision
+};
+
 struct SolverSettings {
     SolverMethod method = SolverMethod::conjugate_gauss_seidel;
+    SolverPrecision precision = SolverPrecision::mixed;
     double tolerance = 1e-2;  // on the scaled natural map, rms; its maximum must be below 16 times this
     int max_sweeps = 100;     // a step that ends here unconverged is counted and reported
     int min_sweeps = 2;

@@ -35,6 +35,7 @@ TimeSettings build_time(const Node& node, const Context& context) {
 SolverSettings build_solver(const Node& node, const Context& context) {
     SolverSettings solver;
     if (node.has("method") && node.text("method") == "gauss_seidel") solver.method = SolverMethod::gauss_seidel;
+    if (node.has("precision") && node.text("precision") == "double") solver.precision = SolverPrecision::full;
     solver.tolerance = number_or(node, "tolerance", solver.tolerance);
     solver.max_sweeps = integer_or(node, "max_sweeps", solver.max_sweeps);
     solver.min_sweeps = integer_or(node, "min_sweeps", solver.min_sweeps);

@@ -14,6 +14,7 @@
 #include "solvers/batch.hpp"
 #include "solvers/layout.hpp"
 #include "solvers/line_exchange.hpp"
+#include "solvers/single_problem.hpp"
 
 namespace scree::solvers {
 
@@ -26,16 +27,12 @@ using ContactWorkSums = std::span<ExactSum, 3>;
 template <class Law>
 class ContactProblem {
   public:
-    using Line = typename Law::Line;
-    using Batch = typename Law::Batch;
+    using Line = typename Law::template LineOf<double>;
+    using Batch = typename Law::template BatchOf<double>;
 
     explicit ContactProblem(const Communicator& ranks = Communicator::self()) : ranks_(ranks) {}
     // Lines of shared bodies travel by this; null with one rank. All that follows is collective.
     void exchange_by(LineExchange* exchange) { exchange_ = exchange; }
-
-    struct Impulse {
-        alignas(64) double p[Law::kImpulse][kLanes];
-    };
 
     // Free velocities into the lines (v + h g), contacts into the batches with zero impulses.
     // `wall_velocity`: of each moving-wall contact in order of key, others ignored.
@@ -48,6 +45,13 @@ class ContactProblem {
     // Impulses to start from, in order of key: applied to the lines.
     void warm_start(const std::vector<Vec3>& impulse, const std::vector<double>& normal);
 
+    // From here on sweeps and residuals are in single precision, if the settings and the numbers allow it; momentum is
+    // forgotten. Returns whether they are.
+    bool begin_single(const SolverSettings& settings);
+    bool single() const { return is_single_; }
+    // Back to double precision: the impulses in their cones, the lines rebuilt.
+    void end_single();
+
     // One Gauss-Seidel sweep; with `beta` > 0 it starts from impulses extrapolated by beta along their last change, and
     // so are the lines. Returns the size of the change, sqrt(sum |W_N r|^2 / contacts) / v_ref.
     double sweep(double beta, bool momentum);
@@ -58,8 +62,8 @@ class ContactProblem {
     // Work of this rank's impulses on the mean of the velocities before (state) and after (lines).
     void add_work(const State& state, ContactWorkSums total);
     // Makes the lines anew from the free velocities and the impulses: what hundreds of sweeps and extrapolations left
-    // of round-off is gone. `state` has the velocities before the step.
-    void rebuild_lines(const State& state, const Vec3& dv_free);
+    // of round-off is gone. `state` (that of assemble) has the velocities before the step.
+    void rebuild_lines();
     // Velocities and spins of the bodies after the step.
     void velocities(State& state) const;
     // Impulses in order of key.
@@ -68,27 +72,29 @@ class ContactProblem {
     std::uint64_t contacts() const { return all_contacts_; }  // of all ranks
     double reference_velocity() const { return v_ref_; }
     const std::vector<Block>& blocks() const { return layout_->blocks(); }
-    const LineVector<Batch>& batches() const { return batch_; }
-    const LineVector<Line>& lines() const { return line_; }
-    const Line& line_of(std::size_t body) const { return line_[layout_->line(body)]; }
+    const LineVector<Batch>& batches() const { return full_.batch; }
+    std::size_t batches_in_sweep() const { return is_single_ ? single_.sweeps.batch.size() : full_.batch.size(); }
+    const LineVector<Line>& lines() const { return full_.line; }
+    const Line& line_of(std::size_t body) const { return full_.line[layout_->line(body)]; }
     std::size_t bytes() const;
 
   private:
-    void free_lines(const State& state, const Vec3& dv_free);
-    template <bool kMoves, class PerBatch>
-    void over_blocks(ExactSum& total, PerBatch per_batch);
+    void free_lines();
 
     const Communicator& ranks_;
     LineExchange* exchange_ = nullptr;
     const Layout* layout_ = nullptr;
+    const State* state_ = nullptr;
+    Vec3 dv_free_ = Vec3::Zero();
     std::size_t contacts_ = 0, bodies_ = 0;
     std::uint64_t all_contacts_ = 0;
     double v_ref_ = 0.0;
     bool driven_ = false;
-    LineVector<Line> line_;  // ground, bodies, moving-wall contacts
-    LineVector<Batch> batch_;
-    LineVector<Impulse> previous_;    // momentum: impulses before the last sweep; empty without acceleration
-    LineVector<Line> line_previous_;  // and the lines that belong to them
+    bool swept_ = false;  // since the lines were built
+    bool is_single_ = false;
+    Extremes extremes_;
+    Sweeps<Law, double> full_;
+    SingleProblem<Law> single_;  // empty if never used
     LineVector<Line> line_mean_;
 };
 

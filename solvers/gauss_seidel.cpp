@@ -31,6 +31,7 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
     const auto good = [&](const Residual& r) {
         return r.rms <= settings.tolerance && r.max <= kMaxOverRms * settings.tolerance;
     };
+    problem.begin_single(settings);
     if (accelerate) problem.reset_momentum();
     Momentum momentum;
     double beta = 0.0;
@@ -45,6 +46,19 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
             report.residual = problem.residual();
             ++report.residual_checks;
             report.converged = good(report.residual);
+            if ((last || report.converged) && problem.single()) {
+                // what counts is the residual in double precision; if it is too large, sweeps go on in that
+                problem.end_single();
+                report.residual = problem.residual();
+                ++report.residual_checks;
+                report.converged = good(report.residual);
+                if (report.converged || report.sweeps >= settings.max_sweeps) return report;
+                if (accelerate) problem.reset_momentum();
+                momentum = {};
+                beta = 0.0;
+                next_check = report.sweeps + 1;
+                continue;
+            }
             if (last || report.converged) return report;
             next_check = report.sweeps + 1 + report.sweeps / 16;
         }

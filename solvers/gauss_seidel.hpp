@@ -21,7 +21,7 @@ struct SolveReport {
 };
 
 // Sweeps until the scaled natural map is at most the tolerance (its maximum 16 times that), or max_sweeps.
-// The impulses returned are those of a sweep, inside their cones.
+// The impulses returned are inside their cones, and the residual is in double precision, whatever the sweeps are in.
 template <class Law>
 SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& settings);
 

@@ -7,29 +7,33 @@
 namespace scree::solvers {
 namespace {
 
-// What travels of a line: all that an impulse changes.
-void take(const SpinningLine& line, double* to) {
+// What travels of a line: all that an impulse changes, as doubles in either precision.
+template <class Real>
+void take(const SpinningLineOf<Real>& line, double* to) {
     for (int d = 0; d < 3; ++d) {
-        to[d] = line.v[d];
-        to[3 + d] = line.w[d];
+        to[d] = static_cast<double>(line.v[d]);
+        to[3 + d] = static_cast<double>(line.w[d]);
     }
 }
-void give(const double* from, SpinningLine& line) {
+template <class Real>
+void give(const double* from, SpinningLineOf<Real>& line) {
     for (int d = 0; d < 3; ++d) {
-        line.v[d] = from[d];
-        line.w[d] = from[3 + d];
+        line.v[d] = static_cast<Real>(from[d]);
+        line.w[d] = static_cast<Real>(from[3 + d]);
     }
 }
-void take(const SlidingLine& line, double* to) {
-    for (int d = 0; d < 3; ++d) to[d] = line.v[d];
+template <class Real>
+void take(const SlidingLineOf<Real>& line, double* to) {
+    for (int d = 0; d < 3; ++d) to[d] = static_cast<double>(line.v[d]);
 }
-void give(const double* from, SlidingLine& line) {
-    for (int d = 0; d < 3; ++d) line.v[d] = from[d];
+template <class Real>
+void give(const double* from, SlidingLineOf<Real>& line) {
+    for (int d = 0; d < 3; ++d) line.v[d] = static_cast<Real>(from[d]);
 }
 template <class Line>
 constexpr std::size_t kNumbers = 3;
-template <>
-constexpr std::size_t kNumbers<SpinningLine> = 6;
+template <class Real>
+constexpr std::size_t kNumbers<SpinningLineOf<Real>> = 6;
 
 }  // namespace
 
@@ -120,9 +124,13 @@ void LineExchange::receive(std::size_t phase, Line* line) {
     }
 }
 
-template void LineExchange::send(std::size_t, const SpinningLine*);
-template void LineExchange::send(std::size_t, const SlidingLine*);
-template void LineExchange::receive(std::size_t, SpinningLine*);
-template void LineExchange::receive(std::size_t, SlidingLine*);
+template void LineExchange::send(std::size_t, const SpinningLineOf<double>*);
+template void LineExchange::receive(std::size_t, SpinningLineOf<double>*);
+template void LineExchange::send(std::size_t, const SlidingLineOf<double>*);
+template void LineExchange::receive(std::size_t, SlidingLineOf<double>*);
+template void LineExchange::send(std::size_t, const SpinningLineOf<float>*);
+template void LineExchange::receive(std::size_t, SpinningLineOf<float>*);
+template void LineExchange::send(std::size_t, const SlidingLineOf<float>*);
+template void LineExchange::receive(std::size_t, SlidingLineOf<float>*);
 
 }  // namespace scree::solvers

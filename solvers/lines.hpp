@@ -6,18 +6,22 @@
 
 namespace scree::solvers {
 
-struct alignas(64) SpinningLine {  // 64 bytes: scenes with friction
-    double v[3];                   // [m/s]
-    double inverse_mass;           // [1/kg], 0 for what no impulse moves
-    double w[3];                   // [m/s]
-    double inverse_inertia;        // R^2 / I [1/kg]
+template <class Real>
+struct alignas(8 * sizeof(Real)) SpinningLineOf {  // scenes with friction
+    Real v[3];                                     // [m/s]
+    Real inverse_mass;                             // [1/kg], 0 for what no impulse moves
+    Real w[3];                                     // [m/s]
+    Real inverse_inertia;                          // R^2 / I [1/kg]
 };
+using SpinningLine = SpinningLineOf<double>;
 static_assert(sizeof(SpinningLine) == 64);
 
-struct alignas(32) SlidingLine {  // 32 bytes: scenes without friction; displacements of the position correction
-    double v[3];                  // [m/s] or [m]
-    double inverse_mass;          // [1/kg]
+template <class Real>
+struct alignas(4 * sizeof(Real)) SlidingLineOf {  // scenes without friction; displacements of the position correction
+    Real v[3];                                    // [m/s] or [m]
+    Real inverse_mass;                            // [1/kg]
 };
+using SlidingLine = SlidingLineOf<double>;
 static_assert(sizeof(SlidingLine) == 32);
 
 // Line 0 is the ground: at rest, immovable; it also fills the unused lanes of a batch. Bodies follow, then one line for

@@ -42,7 +42,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     set_up(state, times);
     clock.lap(Phase::setup);
     const SolveReport solved = gauss_seidel(problem_, scene_.solver);
-    problem_.rebuild_lines(state, step * scene_.gravity.at(times.middle()));
+    problem_.rebuild_lines();
     report.contacts = problem_.contacts();
     report.sweeps = solved.sweeps;
     report.residual_rms = solved.residual.rms;

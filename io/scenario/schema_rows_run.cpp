@@ -71,6 +71,14 @@ std::vector<Row> run() {
                   "accelerates them by a "
                   "nonlinear conjugate gradient and needs fewer sweeps for the same residual in anything deeper than a "
                   "few layers."),
+        choice("solver.precision", {"mixed", "double"})
+            .standardly("mixed")
+            .says(
+                "The numbers in which the solver sweeps. `mixed`: single precision (half the memory traffic) in every "
+                "step in which its round-off lies far below the tolerance, that is with a tolerance of at least 1e-3, "
+                "masses within a factor of 1e6, and bodies in contact not much faster than they move against each "
+                "other; the solution is completed and its residual taken in double precision. `double`: double "
+                "precision throughout."),
         number("solver.tolerance")
             .standardly("0.01")
             .in(kPositive)

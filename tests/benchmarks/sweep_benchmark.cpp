@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <type_traits>
 
 #include "settled_bed.hpp"
 #include "solvers/gauss_seidel.hpp"
@@ -42,22 +43,24 @@ Problem<Law>& problem(int tiles) {
     return it->second;
 }
 
-template <class Law, bool kAccelerated>
+template <class Law, class Real, bool kAccelerated>
 void sweep(benchmark::State& state) {
     auto& p = problem<Law>(static_cast<int>(state.range(0)));
     p.assemble();
+    if (std::is_same_v<Real, float> && !p.problem.begin_single(SolverSettings{}))
+        return state.SkipWithError("not solved in single precision");
     if (kAccelerated) p.problem.reset_momentum();
     for (int k = 0; k < 20; ++k) p.problem.sweep(0.3, kAccelerated);
     for (auto _ : state) benchmark::DoNotOptimize(p.problem.sweep(0.3, kAccelerated));
     const double contacts = static_cast<double>(p.contacts.size());
-    const double lanes = static_cast<double>(p.layout.batches()) * kLanes;
-    const double impulses = (kAccelerated ? 2.0 : 1.0) * Law::kImpulse * 8.0;
+    const double lanes = static_cast<double>(p.problem.batches_in_sweep()) * PackOf<Real>::kLanes;
+    const double impulse = Law::kImpulse * sizeof(Real), impulses = (kAccelerated ? 2.0 : 1.0) * impulse;
+    const double batch = sizeof(typename Law::template BatchOf<Real>);
     state.counters["contacts"] = contacts;
     state.counters["updates/s"] = benchmark::Counter(contacts, benchmark::Counter::kIsIterationInvariantRate);
     state.counters["lanes used"] = contacts / lanes;
     // what a sweep streams: each batch once, its impulses back; the lines stay in the cache of their block
-    state.counters["bytes/contact"] =
-        (sizeof(typename Law::Batch) / 8.0 + 2.0 * impulses - Law::kImpulse * 8.0) * lanes / contacts;
+    state.counters["bytes/contact"] = (batch / PackOf<Real>::kLanes + 2.0 * impulses - impulse) * lanes / contacts;
 }
 
 template <class Law>
@@ -87,14 +90,17 @@ void convergence(const char* name, bool accelerated, bool warm) {
 
 }  // namespace
 
-BENCHMARK(sweep<Frictional, false>)->Arg(1)->Arg(4)->Name("friction/plain/tiles")->Unit(benchmark::kMillisecond);
-BENCHMARK(sweep<Frictional, true>)->Arg(1)->Arg(4)->Name("friction/accelerated/tiles")->Unit(benchmark::kMillisecond);
-BENCHMARK(sweep<Frictionless, false>)->Arg(1)->Arg(4)->Name("frictionless/plain/tiles")->Unit(benchmark::kMillisecond);
-BENCHMARK(sweep<Frictionless, true>)
-    ->Arg(1)
-    ->Arg(4)
-    ->Name("frictionless/accelerated/tiles")
-    ->Unit(benchmark::kMillisecond);
+#define SCREE_SWEEP(law, real, accelerated, name) \
+    BENCHMARK(sweep<law, real, accelerated>)->Arg(1)->Arg(4)->Name(name)->Unit(benchmark::kMillisecond)
+SCREE_SWEEP(Frictional, double, false, "friction/plain/double/tiles");
+SCREE_SWEEP(Frictional, float, false, "friction/plain/float/tiles");
+SCREE_SWEEP(Frictional, double, true, "friction/accelerated/double/tiles");
+SCREE_SWEEP(Frictional, float, true, "friction/accelerated/float/tiles");
+SCREE_SWEEP(Frictionless, double, false, "frictionless/plain/double/tiles");
+SCREE_SWEEP(Frictionless, float, false, "frictionless/plain/float/tiles");
+SCREE_SWEEP(Frictionless, double, true, "frictionless/accelerated/double/tiles");
+SCREE_SWEEP(Frictionless, float, true, "frictionless/accelerated/float/tiles");
+#undef SCREE_SWEEP
 
 }  // namespace scree::benchmarks
 

@@ -1,9 +1,11 @@
-// Packs of eight against plain doubles: the same bits, lane by lane.
-#include "core/simd.hpp"
+// Packs against plain doubles and floats: the same bits, lane by lane.
+#include "core/simd_rows.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/random.hpp"
 
@@ -103,6 +105,72 @@ TEST(Simd, ScatterPutsPacksBackAndTouchesNothingElse) {
         if (written[k]) continue;
         for (const double x : table[k].x) EXPECT_EQ(x, -1.0);
     }
+}
+
+template <class Real>
+struct alignas(64) Numbers {
+    Real x[PackOf<Real>::kLanes];
+};
+
+TEST(Simd, ArithmeticOfFloatsIsThatOfFloats) {
+    Random random(3, 1, 0);
+    for (int round = 0; round < 100; ++round) {
+        Numbers<float> a, b, r;
+        for (float& x : a.x) x = static_cast<float>(random.normal());
+        for (float& x : b.x) x = static_cast<float>(random.normal());
+        const PackF p = PackF::load(a.x), q = PackF::load(b.x);
+        const auto expect = [&](const PackF& got, auto scalar) {
+            got.store(r.x);
+            for (int i = 0; i < kLanesSingle; ++i) EXPECT_EQ(r.x[i], scalar(a.x[i], b.x[i]));
+        };
+        expect(p * q - p / q, [](float x, float y) { return x * y - x / y; });
+        expect(max(p, q) + min(p, PackF::all(0.5F)),
+               [](float x, float y) { return std::max(x, y) + std::min(x, 0.5F); });
+        expect(sqrt(p * p + q * q), [](float x, float y) { return std::sqrt(x * x + y * y); });
+        expect(where_less(p, q, p, q), [](float x, float y) { return x < y ? x : y; });
+        EXPECT_EQ(max_lanes(p), static_cast<double>(*std::max_element(a.x, a.x + kLanesSingle)));
+    }
+}
+
+template <class Real, int kColumns>
+void expect_rows_there_and_back() {
+    constexpr std::size_t kLanesHere = PackOf<Real>::kLanes;
+    struct alignas(sizeof(Real) * kColumns) Line {
+        Real x[kColumns];
+    };
+    std::array<Line, 40> table;
+    for (std::size_t i = 0; i < table.size(); ++i)
+        for (int c = 0; c < kColumns; ++c) table[i].x[c] = static_cast<Real>(10 * static_cast<int>(i) + c);
+    const auto start = table;
+    const auto index = [](int i) { return static_cast<std::size_t>(i * 7 % 40); };  // no row twice
+    PackOf<Real> pack[kColumns];
+    const auto row = [&](int i) { return table[index(i)].x; };
+    if constexpr (kColumns == 8)
+        gather8(row, pack);
+    else
+        gather4(row, pack[0], pack[1], pack[2], pack[3]);
+    for (int c = 0; c < kColumns; ++c) {
+        Numbers<Real> got;
+        pack[c].store(got.x);
+        for (std::size_t i = 0; i < kLanesHere; ++i) EXPECT_EQ(got.x[i], start[index(static_cast<int>(i))].x[c]);
+        pack[c] = pack[c] + PackOf<Real>::all(static_cast<Real>(1000 * (c + 1)));
+    }
+    if constexpr (kColumns == 8)
+        scatter8(row, pack);
+    else
+        scatter4(row, pack[0], pack[1], pack[2], pack[3]);
+    std::array<bool, 40> written{};
+    for (int i = 0; i < static_cast<int>(kLanesHere); ++i) written[index(i)] = true;
+    for (std::size_t i = 0; i < table.size(); ++i)
+        for (int c = 0; c < kColumns; ++c)
+            EXPECT_EQ(table[i].x[c], start[i].x[c] + static_cast<Real>(written[i] ? 1000 * (c + 1) : 0));
+}
+
+TEST(Simd, RowsThereAndBackInBothPrecisions) {
+    expect_rows_there_and_back<float, 4>();
+    expect_rows_there_and_back<float, 8>();
+    expect_rows_there_and_back<double, 4>();
+    expect_rows_there_and_back<double, 8>();
 }
 
 }  // namespace

@@ -1,0 +1,140 @@
+#include "solvers/single_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scree::solvers {
+namespace {
+
+// The tolerance over the round-off of velocities.
+constexpr double kMargin = 1e3;
+constexpr double kLeastTolerance = 1e-3, kMostMassRatio = 1e6;
+
+template <std::size_t kRows>
+void put(float (&to)[kRows][kLanesSingle], const double (&from)[kRows][kLanes], int lane, double factor) {
+    for (std::size_t d = 0; d < kRows; ++d)
+        for (int i = 0; i < kLanes; ++i) to[d][lane + i] = static_cast<float>(factor * from[d][i]);
+}
+void put(float (&to)[kLanesSingle], const double (&from)[kLanes], int lane, double factor) {
+    for (int i = 0; i < kLanes; ++i) to[lane + i] = static_cast<float>(factor * from[i]);
+}
+
+}  // namespace
+
+bool single_is_enough(const SolverSettings& settings, const Extremes& extremes, double v_ref) {
+    constexpr double kRound = std::numeric_limits<float>::epsilon();
+    // friction multiplies round-off: mu |u_T| stands in the natural map
+    return settings.precision == SolverPrecision::mixed && settings.tolerance >= kLeastTolerance &&
+           settings.tolerance * v_ref >= kMargin * kRound * (1.0 + extremes.friction) * extremes.fastest &&
+           extremes.lightest * extremes.heaviest <= kMostMassRatio;
+}
+
+// Longest blocks first, each to the half that has fewer batches so far.
+template <class Law>
+std::uint32_t SingleProblem<Law>::arrange(const Layout& layout, std::uint32_t from, std::uint32_t to,
+                                          std::uint32_t at) {
+    sorted_.assign(layout.blocks().begin() + from, layout.blocks().begin() + to);
+    std::sort(sorted_.begin(), sorted_.end(), [](const Block& a, const Block& b) {
+        const std::uint32_t of_a = a.end - a.begin, of_b = b.end - b.begin;
+        return of_a != of_b ? of_a > of_b : a.begin < b.begin;
+    });
+    const std::size_t first_run = runs_.size();
+    std::array<std::uint32_t, 2> next{at, at};
+    for (const Block& block : sorted_) {
+        const std::size_t half = next[0] <= next[1] ? 0 : 1;
+        places_.push_back({block.begin, block.end, next[half], static_cast<int>(half)});
+        next[half] += block.end - block.begin;
+        runs_.push_back({0, next[half], {half == 0, half == 1}});
+    }
+    // runs go from end to end of blocks of either half
+    std::sort(runs_.begin() + static_cast<std::ptrdiff_t>(first_run), runs_.end(),
+              [](const Run& a, const Run& b) { return a.end < b.end; });
+    std::size_t last = first_run;
+    for (std::size_t k = first_run; k < runs_.size(); ++k) {
+        if (k > first_run && runs_[k].end == runs_[last].end) {
+            runs_[last].ends = {true, true};
+            continue;
+        }
+        if (k > first_run) ++last;
+        runs_[last] = runs_[k];
+        runs_[last].begin = last == first_run ? at : runs_[last - 1].end;
+    }
+    if (from < to) runs_.resize(last + 1);
+    return std::max(next[0], next[1]);
+}
+
+template <class Law>
+void SingleProblem<Law>::arrange(const Layout& layout) {
+    places_.clear();
+    runs_.clear();
+    std::uint32_t batches = 0;
+    for (std::size_t k = 0; k < kPhases; ++k) {
+        const Layout::PhaseBlocks& of = layout.phase(k);
+        phase_[k].begin = static_cast<std::uint32_t>(runs_.size());
+        batches = arrange(layout, of.begin, of.inner, batches);
+        phase_[k].inner = static_cast<std::uint32_t>(runs_.size());
+        batches = arrange(layout, of.inner, of.end, batches);
+        phase_[k].end = static_cast<std::uint32_t>(runs_.size());
+    }
+    sweeps.batch.assign(batches, {});
+}
+
+template <class Law>
+void SingleProblem<Law>::load(const Sweeps<Law, double>& full, const Layout& layout, const Extremes& extremes,
+                              double v_ref) {
+    arrange(layout);
+    velocity_unit_ = std::ldexp(1.0, std::ilogb(v_ref));
+    inverse_mass_unit_ = std::ldexp(1.0, (std::ilogb(extremes.lightest) - std::ilogb(extremes.heaviest)) >> 1);
+    const double to_velocity = 1.0 / velocity_unit_, to_inverse_mass = 1.0 / inverse_mass_unit_;
+
+    sweeps.line.resize(full.line.size());
+    for (std::size_t i = 0; i < full.line.size(); ++i) {
+        const auto& from = full.line[i];
+        auto& to = sweeps.line[i];
+        for (int d = 0; d < 3; ++d) to.v[d] = static_cast<float>(to_velocity * from.v[d]);
+        to.inverse_mass = static_cast<float>(to_inverse_mass * from.inverse_mass);
+        if constexpr (Law::kImpulse == 3) {
+            for (int d = 0; d < 3; ++d) to.w[d] = static_cast<float>(to_velocity * from.w[d]);
+            to.inverse_inertia = static_cast<float>(to_inverse_mass * from.inverse_inertia);
+        }
+    }
+    for (const Place& place : places_) {
+        const int lane = place.half * kLanes;
+        for (std::uint32_t k = place.from; k < place.to; ++k) {
+            const auto& from = full.batch[k];
+            auto& to = sweeps.batch[place.at + (k - place.from)];
+            std::copy(from.a, from.a + kLanes, to.a + lane);
+            std::copy(from.b, from.b + kLanes, to.b + lane);
+            put(to.n, from.n, lane, 1.0);
+            put(to.bias, from.bias, lane, to_velocity);
+            put(to.inverse_w, from.inverse_w, lane, inverse_mass_unit_);
+            if constexpr (Law::kImpulse == 3) put(to.friction, from.friction, lane, 1.0);
+            put(to.p, from.p, lane, to_velocity * inverse_mass_unit_);
+        }
+    }
+}
+
+template <class Law>
+void SingleProblem<Law>::give_impulses(Sweeps<Law, double>& full) const {
+    const double unit = velocity_unit_ / inverse_mass_unit_;
+    for (const Place& place : places_)
+        for (std::uint32_t k = place.from; k < place.to; ++k) {
+            const auto& from = sweeps.batch[place.at + (k - place.from)];
+            for (int d = 0; d < Law::kImpulse; ++d)
+                for (int i = 0; i < kLanes; ++i)
+                    full.batch[k].p[d][i] = unit * static_cast<double>(from.p[d][place.half * kLanes + i]);
+            into_cone(full.batch[k]);
+        }
+}
+
+template <class Law>
+std::size_t SingleProblem<Law>::bytes() const {
+    return sweeps.bytes() + places_.capacity() * sizeof(Place) + runs_.capacity() * sizeof(Run) +
+           sorted_.capacity() * sizeof(Block);
+}
+
+template class SingleProblem<Frictional>;
+template class SingleProblem<Frictionless>;
+
+}  // namespace scree::solvers

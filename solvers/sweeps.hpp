@@ -1,0 +1,140 @@
+// What a sweep reads and writes, and the sweep itself, in either precision: lines, batches and the order of the
+// batches' blocks. All sums are one a block in the order of its batches, then exact sums over the blocks, so that no
+// order of blocks and no split over ranks changes a bit.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/aligned_vector.hpp"
+#include "core/exact_sum.hpp"
+#include "solvers/kernels.hpp"
+#include "solvers/layout.hpp"
+#include "solvers/line_exchange.hpp"
+
+namespace scree::solvers {
+
+inline constexpr std::size_t kFetchAhead = 4;  // batches
+
+// At the end of a run of batches: adds the sums of the blocks that end there, and starts new ones.
+inline void close_blocks(ExactSum& total, Pack& sum, const Block&) {
+    total.add(sum_lanes(sum));
+    sum = Pack::all(0.0);
+}
+// In single precision two blocks lie side by side; `ends` tells which of them the run ends.
+template <class Run>
+void close_blocks(ExactSum& total, PackF& sum, const Run& run) {
+    alignas(64) float x[kLanesSingle];
+    sum.store(x);
+    for (std::size_t half = 0; half < 2; ++half) {
+        if (!run.ends[half]) continue;
+        float* const first = x + half * kLanes;
+        total.add(sum_of_eight(first));
+        std::fill(first, first + kLanes, 0.0F);
+    }
+    sum = PackF::load(x);
+}
+
+template <class Law, class Real>
+struct Sweeps {
+    using Line = typename Law::template LineOf<Real>;
+    using Batch = typename Law::template BatchOf<Real>;
+    using Numbers = PackOf<Real>;
+    struct Impulse {
+        alignas(64) Real p[Law::kImpulse][Numbers::kLanes];
+    };
+
+    LineVector<Line> line;  // ground, bodies, moving-wall contacts
+    LineVector<Batch> batch;
+    LineVector<Impulse> previous;    // momentum: impulses before the last sweep; empty without acceleration
+    LineVector<Line> line_previous;  // and the lines that belong to them
+
+    // Calls `per_batch` for each batch, phase by phase, and adds what it returns to `total`. With `kMoves`, lines of
+    // shared bodies travel after each phase. `order` is a Layout or made from one.
+    template <bool kMoves, class Order, class PerBatch>
+    void over_blocks(const Order& order, LineExchange* exchange, ExactSum& total, PerBatch per_batch) {
+        const auto run = [&](std::uint32_t from, std::uint32_t to) {
+            Numbers sum = Numbers::all(0);
+            for (std::uint32_t k = from; k < to; ++k) {
+                const auto& block = order.blocks()[k];
+                for (std::uint32_t b = block.begin; b < block.end; ++b) sum = sum + per_batch(b);
+                close_blocks(total, sum, block);
+            }
+        };
+        for (std::size_t phase = 0; phase < kPhases; ++phase) {
+            const Layout::PhaseBlocks& range = order.phase(phase);
+            run(range.begin, range.inner);
+            if constexpr (kMoves)
+                if (exchange != nullptr) exchange->send(phase, line.data());
+            run(range.inner, range.end);
+            if constexpr (kMoves)
+                if (exchange != nullptr) exchange->receive(phase, line.data());
+        }
+    }
+
+    void reset_momentum() {
+        previous.resize(batch.size());
+        for (std::size_t k = 0; k < batch.size(); ++k)
+            for (int d = 0; d < Law::kImpulse; ++d) Numbers::load(batch[k].p[d]).store(previous[k].p[d]);
+        line_previous = line;
+    }
+
+    // One sweep; `moving` lines, from line 1 on, are those of bodies with contacts. Adds |W_N r|^2 of all contacts.
+    template <class Order>
+    void sweep(const Order& order, LineExchange* exchange, std::size_t moving, double beta, bool momentum,
+               ExactSum& squares) {
+        const Numbers b = Numbers::all(static_cast<Real>(beta));
+        if (momentum) {
+            extrapolate(moving, static_cast<Real>(beta));
+            over_blocks<true>(order, exchange, squares, [&](std::uint32_t k) {
+                fetch(k + kFetchAhead);
+                return update<true>(batch[k], line.data(), previous[k].p, b);
+            });
+        } else {
+            over_blocks<true>(order, exchange, squares, [&](std::uint32_t k) {
+                fetch(k + kFetchAhead);
+                return update<false>(batch[k], line.data(), nullptr, b);
+            });
+        }
+    }
+
+    // Adds |F|^2 of all contacts, F the natural map; returns the largest.
+    template <class Order>
+    double residual(const Order& order, ExactSum& squares) {
+        Numbers largest = Numbers::all(0);
+        over_blocks<false>(order, nullptr, squares, [&](std::uint32_t k) {
+            const Numbers f = natural_map(batch[k], line.data());
+            largest = max(largest, f);
+            return f;
+        });
+        return max_lanes(largest);
+    }
+
+    std::size_t bytes() const {
+        return (line.capacity() + line_previous.capacity()) * sizeof(Line) + batch.capacity() * sizeof(Batch) +
+               previous.capacity() * sizeof(Impulse);
+    }
+
+  private:
+    // The lines of a later batch on their way while this one is solved.
+    void fetch(std::size_t k) const {
+        if (k >= batch.size()) return;
+        for (int i = 0; i < Numbers::kLanes; ++i) {
+            __builtin_prefetch(line.data() + batch[k].a[i], 1);
+            __builtin_prefetch(line.data() + batch[k].b[i], 1);
+        }
+    }
+    // now + beta (now - previous), and previous = now, over whole lines as flat numbers: masses do not change, so their
+    // difference is zero and they stay as they are.
+    void extrapolate(std::size_t lines, Real beta) {
+        Real* now = line[1].v;
+        Real* before = line_previous[1].v;
+        for (std::size_t i = 0; i < lines * (sizeof(Line) / sizeof(Real)); ++i) {
+            const Real x = now[i];
+            now[i] = x + beta * (x - before[i]);
+            before[i] = x;
+        }
+    }
+};
+
+}  // namespace scree::solvers
