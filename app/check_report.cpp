@@ -7,14 +7,11 @@
 
 #include "app/human_text.hpp"
 #include "app/output_schedule.hpp"
+#include "app/rank_shares.hpp"
 #include "solvers/measures.hpp"
 
 namespace scree::app {
 namespace {
-
-// Monodisperse spheres at rest with friction touch 4 to 6 others: 2 to 3 contacts a body; those that are near count
-// too.
-constexpr double kContactsPerBody = 3.0;
 
 double snapshot_bytes_per_body(const OutputSettings& output) {
     double bytes = 8.0 + 24.0 + 8.0;  // id, position, radius
@@ -104,7 +101,7 @@ CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& st
 }
 
 std::string check_report(const std::string& scenario_name, const Scene& scene, const Plan& plan, const State& state,
-                         const std::vector<std::string>& warnings) {
+                         const std::vector<std::string>& warnings, int ranks) {
     const OutputSchedule schedule(scene.time, scene.output);
     std::string text = fmt::format("{}: valid\n", scenario_name);
     if (!scene.title.empty()) text += fmt::format("  title       {}\n", scene.title);
@@ -124,6 +121,7 @@ std::string check_report(const std::string& scenario_name, const Scene& scene, c
     text +=
         fmt::format("  history     {}: {}\n", plural(schedule.history_rows(), "row", "rows"), bytes_text(cost.history));
     text += fmt::format("  checkpoints the last two, {} each\n", bytes_text(cost.checkpoint));
+    if (ranks > 0) text += shares_text(share_out(scene, state, ranks), plan);
     if (warnings.empty()) return text + "no warnings\n";
     text += warnings.size() == 1 ? "warning\n" : "warnings\n";
     for (const std::string& warning : warnings) text += "  - " + warning + "\n";

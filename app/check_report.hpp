@@ -10,6 +10,10 @@
 
 namespace scree::app {
 
+// Monodisperse spheres at rest with friction touch 4 to 6 others: 2 to 3 contacts a body; those that are near count
+// too.
+inline constexpr double kContactsPerBody = 3.0;
+
 // Rough sizes in bytes, without compression. `contacts`: expected in a dense bed.
 struct CostEstimate {
     double contacts = 0.0;
@@ -21,7 +25,8 @@ struct CostEstimate {
 };
 CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& state);
 
+// `ranks`: how the bodies would be shared out; 0: not asked for.
 std::string check_report(const std::string& scenario_name, const Scene& scene, const Plan& plan, const State& state,
-                         const std::vector<std::string>& warnings);
+                         const std::vector<std::string>& warnings, int ranks = 0);
 
 }  // namespace scree::app

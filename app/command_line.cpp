@@ -82,6 +82,9 @@ void Arguments::define() {
     CLI::App* sub = add("check", "Reads a scenario, says what it holds and what it would cost. Writes nothing.");
     sub->add_option("scenario", check.scenario, "the scenario, a YAML file")->required()->option_text("SCENARIO");
     add_set_option(sub, check.sets);
+    sub->add_option("--ranks", check.ranks, "shows what each of N ranks would get: bodies, contacts, border, memory")
+        ->check(CLI::Range(1, 1000000))
+        ->option_text("N");
 
     sub = add("info", "Says what a file or folder of results is.");
     sub->add_option("file", info_path, "a snapshot, checkpoint, history, summary or run folder")

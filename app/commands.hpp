@@ -30,6 +30,7 @@ ExitCode run_command(const RunOptions& options, const Communicator& ranks, Error
 struct CheckOptions {
     std::string scenario;
     std::vector<std::string> sets;
+    int ranks = 0;  // shows the shares of so many; 0: not asked for
 };
 ExitCode check_command(const CheckOptions& options);
 

@@ -21,6 +21,7 @@ commands
   explain   explains a key of scenarios: meaning, unit, range, default
   schema    prints the JSON Schema of scenarios (for editors), or their reference page
   scree COMMAND --help shows the options of a command and examples.
+  On many cores: mpirun -n 64 scree run SCENARIO. The results are the same, to the bit, on any number of ranks.
 
 a first scenario: save it as first.yaml, then   scree run first.yaml
   scenario_version: 1
@@ -52,17 +53,22 @@ std::string_view subcommand_footer(std::string_view subcommand) {
 end of a Slurm job make it write a checkpoint and exit with 75. If it is killed outright, at most the time since the last
 checkpoint is lost (output.checkpoint_interval, 10 min of wall time). --resume goes on to the same bits.
 
+On many cores: mpirun -n N scree run ..., one rank a core. The results are the same bits for any N, and a run may go on with
+another N. Signals may be sent to mpirun (SIGUSR1: it passes that one on and waits), and mpirun ends with scree's exit code.
+
 examples
   scree run silo.yaml                                  results in out/silo
   scree run silo.yaml --out s2 --set seed=2 --set time.step=5e-4
   scree run --resume --out s2                          goes on from the newest checkpoint of s2
   scree run --resume --out s2 --set time.end=3         longer than planned (time.end and output.* may change)
-  scree run silo.yaml --resume --walltime 23:50:00     in a batch script: starts or goes on; 75 means run me again)";
+  scree run silo.yaml --resume --walltime 23:50:00     in a batch script: starts or goes on; 75 means run me again
+  mpirun -n 64 scree run silo.yaml                     on 64 ranks; tools/slurm has batch scripts)";
     }
     if (subcommand == "check") {
         return R"(examples
   scree check silo.yaml
-  scree check silo.yaml --set time.step=5e-4)";
+  scree check silo.yaml --set time.step=5e-4
+  scree check silo.yaml --ranks 64)";
     }
     if (subcommand == "info") {
         return R"(examples

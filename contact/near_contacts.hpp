@@ -54,8 +54,8 @@ class NearContacts {
   public:
     // Contacts in order of key, gaps exact at the end of the step; `bias` and `friction` are 0. A body may be pushed as
     // far as its deepest overlap d_i, or one of those whom it may be pushed into; a pair is near if its gap is below
-    // d_i + d_j. Overlaps below 1e-4 of the diameter push nobody; if there are no others the set is empty.
-    // On each rank those that it solves. Collective; bodies may be exchanged, which changes indices.
+    // d_i + d_j. Overlaps below 1e-4 of the diameter push in every fourth step only; if there are no others the set is
+    // empty. On each rank those that it solves. Collective; bodies may be exchanged, which changes indices.
     const ContactSet& find(const Scene& scene, State& state, double step, CandidateList& candidates, Domain& domain);
     // The overlaps of this rank that are in no contact of the set.
     const OverlapSums& shallow() const { return shallow_; }

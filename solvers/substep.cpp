@@ -113,7 +113,7 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
     problem_.velocities(state);
     add_momentum(state.bodies, all.template subspan<kAfter, kMomentumSums>());
     problem_.impulses(impulse_, impulse_normal_);
-    load_walls(state, times, all.template subspan<kWalls, 4>(), loads);
+    load_walls(state, all.template subspan<kWalls, 4>(), loads);
     ranks.sum(all);
 
     Ledger& ledger = state.ledger;
@@ -145,8 +145,7 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
 
 // Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work.
 template <class Law>
-void Substep<Law>::load_walls(const State& state, const contact::StepTimes& times, std::span<ExactSum, 4> sums,
-                              std::vector<WallLoad>& loads) {
+void Substep<Law>::load_walls(const State& state, std::span<ExactSum, 4> sums, std::vector<WallLoad>& loads) {
     load_sums_.assign(kLoadSums * loads.size(), ExactSum{});
     load_contacts_.assign(loads.size(), 0);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {

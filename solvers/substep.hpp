@@ -57,8 +57,7 @@ class Substep {
     void find_contacts(State& state, const contact::StepTimes& times);
     void set_up(State& state, const contact::StepTimes& times);
     void keep_ledger(State& state, const contact::StepTimes& times, StepReport& report, std::vector<WallLoad>& loads);
-    void load_walls(const State& state, const contact::StepTimes& times, std::span<ExactSum, 4> sums,
-                    std::vector<WallLoad>& loads);
+    void load_walls(const State& state, std::span<ExactSum, 4> sums, std::vector<WallLoad>& loads);
     void make_records(const State& state, const contact::StepTimes& times);
 
     const Scene& scene_;

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "core/parallel/body_message.hpp"
 #include "core/parallel/communicator.hpp"
 #include "core/parallel/neighbour_messages.hpp"
 #include "core/parallel/partition.hpp"
@@ -66,13 +67,22 @@ class Halo {
     std::size_t bytes() const;
 
   private:
-    struct Record;
+    // A body wider than a block, with its room; all ranks know them all.
+    struct WideBall {
+        double x, y, z, radius;
+    };
+    void follow(const Bodies& bodies);
+    std::vector<WideBall> gather_wide(const Bodies& bodies, const Settings& settings,
+                                      const std::vector<double>& room) const;
+    std::vector<BodyMessage> decide(const Partition& partition, const Settings& settings, const Bodies& bodies,
+                                    const std::vector<double>& room);
+    void exchange(const Bodies& bodies, std::vector<BodyMessage>& bodies_now, bool spin, bool orientation);
+    void lay_out(std::vector<BodyMessage>& bodies_now, bool spin, bool orientation, Bodies& bodies);
     void index_neighbours();
-    void forward_impulses(State& state, const std::vector<std::uint64_t>& id, const std::vector<std::vector<int>>& to);
+    void forward_impulses(State& state, const std::vector<BodyMessage>& bodies_now);
     void merge_impulses(State& state, std::vector<Communicator::Message>& incoming, bool of_local_bodies);
 
     const Communicator& ranks_;
-    void follow(const Bodies& bodies);
     std::vector<BodyId> id_;               // of the bodies when the halo was made
     std::vector<std::vector<int>> other_;  // other holders of each body, n; empty for most
     std::vector<std::uint8_t> shared_;     // n, or empty with one rank

@@ -70,17 +70,18 @@ void Halo::merge_impulses(State& state, std::vector<Communicator::Message>& inco
     reorder(own_impulse_, order);
 }
 
-void Halo::forward_impulses(State& state, const std::vector<std::uint64_t>& id,
-                            const std::vector<std::vector<int>>& to) {
+// Impulses follow body a.
+void Halo::forward_impulses(State& state, const std::vector<BodyMessage>& now) {
     WarmStart& warm = state.warm_start;
     own_impulse_.resize(warm.key.size(), 1);  // before the first step all of them are this rank's
     std::map<int, Packer> out;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < warm.key.size(); ++k) {
         if (own_impulse_[k] == 0) continue;  // its owner sends it again to who needs it
-        const auto at = std::lower_bound(id.begin(), id.end(), warm.key[k].a);
-        if (at != id.end() && *at == warm.key[k].a)
-            for (const int rank : to[static_cast<std::size_t>(at - id.begin())]) {
+        const auto at = std::lower_bound(now.begin(), now.end(), warm.key[k].a,
+                                         [](const BodyMessage& body, std::uint64_t id) { return body.id < id; });
+        if (at != now.end() && at->id == warm.key[k].a)
+            for (const int rank : at->holders) {
                 if (rank == ranks_.rank()) continue;
                 Packer& packer = out[rank];
                 if (packer.bytes.empty()) {

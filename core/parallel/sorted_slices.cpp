@@ -66,11 +66,25 @@ std::vector<std::size_t> find_cuts(const std::vector<SortedSlices::Row>& rows, c
     return cuts;
 }
 
-// Indices that sort `keys`.
-std::vector<std::size_t> sorting_order(const std::vector<ContactKey>& keys) {
+// Indices that sort `keys`, which are a few increasing runs one after another: these are merged, two by two.
+std::vector<std::size_t> merging_order(const std::vector<ContactKey>& keys) {
     std::vector<std::size_t> order(keys.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return keys[i] < keys[j]; });
+    std::vector<std::size_t> starts = {0};
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        if (keys[i] < keys[i - 1]) starts.push_back(i);
+    starts.push_back(keys.size());
+    const auto less = [&](std::size_t i, std::size_t j) { return keys[i] < keys[j]; };
+    const auto at = [&](std::size_t run) { return order.begin() + static_cast<std::ptrdiff_t>(starts[run]); };
+    while (starts.size() > 2) {
+        std::vector<std::size_t> left;
+        for (std::size_t run = 0; run + 1 < starts.size(); run += 2) {
+            left.push_back(starts[run]);
+            if (run + 2 < starts.size()) std::inplace_merge(at(run), at(run + 1), at(run + 2), less);
+        }
+        left.push_back(keys.size());
+        starts = std::move(left);
+    }
     return order;
 }
 
@@ -90,37 +104,9 @@ SortedSlices::SortedSlices(std::vector<Row> rows, std::uint64_t granule, const C
     if (!std::is_sorted(rows_.begin(), rows_.end(), by_key)) std::sort(rows_.begin(), rows_.end(), by_key);
     cuts_ = ranks_.alone() ? std::vector<std::size_t>{0, rows_.size()} : find_cuts(rows_, division_, ranks_);
     if (ranks_.alone()) return;
-    const std::vector<std::byte> bytes = deliver(sizeof(ContactKey), [](const Row& row) { return &row.key; });
-    std::vector<ContactKey> came(bytes.size() / sizeof(ContactKey));
-    if (!bytes.empty()) std::memcpy(came.data(), bytes.data(), bytes.size());
+    const auto came = deliver<ContactKey>([](const Row& row) -> const ContactKey& { return row.key; });
     SCREE_CHECK(ranks_.all(came.size() == end() - begin()));  // or two rows have one key
-    order_ = sorting_order(came);
-}
-
-// The rows of this rank's slice as they come: by the rank that sent them, then by key.
-std::vector<std::byte> SortedSlices::deliver(std::size_t width, const Place& place) const {
-    std::vector<Communicator::Message> messages;
-    for (std::size_t r = 0; r + 1 < cuts_.size(); ++r) {
-        if (cuts_[r] == cuts_[r + 1]) continue;
-        std::vector<std::byte> bytes((cuts_[r + 1] - cuts_[r]) * width);
-        for (std::size_t k = cuts_[r]; k < cuts_[r + 1]; ++k)
-            std::memcpy(bytes.data() + (k - cuts_[r]) * width, place(rows_[k]), width);
-        messages.push_back({static_cast<int>(r), std::move(bytes)});
-    }
-    messages = ranks_.exchange(messages);
-    std::vector<std::byte> came;
-    for (const Communicator::Message& message : messages)
-        came.insert(came.end(), message.bytes.begin(), message.bytes.end());
-    return came;
-}
-
-std::vector<std::byte> SortedSlices::move(const std::byte* values, std::size_t width) const {
-    std::vector<std::byte> came = deliver(width, [&](const Row& row) { return values + row.index * width; });
-    if (ranks_.alone()) return came;
-    std::vector<std::byte> sorted(came.size());
-    for (std::size_t k = 0; k < order_.size(); ++k)
-        std::memcpy(sorted.data() + k * width, came.data() + order_[k] * width, width);
-    return sorted;
+    order_ = merging_order(came);
 }
 
 BodySlice slice_bodies(const Bodies& bodies, std::uint64_t granule, const Communicator& ranks) {

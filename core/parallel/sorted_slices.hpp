@@ -5,8 +5,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "core/bodies.hpp"
@@ -43,16 +41,44 @@ class SortedSlices {
     // Collective. `values`: one a row, found by Row::index. Returns those of this rank's slice in order of key.
     template <class T>
     std::vector<T> move(const std::vector<T>& values) const {
-        const std::vector<std::byte> bytes = move(reinterpret_cast<const std::byte*>(values.data()), sizeof(T));
-        std::vector<T> moved(bytes.size() / sizeof(T));
-        if (!bytes.empty()) std::memcpy(static_cast<void*>(moved.data()), bytes.data(), bytes.size());
-        return moved;
+        std::vector<T> came = deliver<T>([&](const Row& row) -> const T& { return values[row.index]; });
+        if (ranks_.alone()) return came;
+        std::vector<T> sorted;
+        sorted.reserve(came.size());
+        for (const std::size_t k : order_) sorted.push_back(came[k]);
+        return sorted;
     }
 
   private:
-    using Place = std::function<const void*(const Row&)>;
-    std::vector<std::byte> deliver(std::size_t width, const Place& place) const;
-    std::vector<std::byte> move(const std::byte* values, std::size_t width) const;
+    // One value a row of this rank's slice, as they come: by the rank that sent them, then by key. `of`: Row to value.
+    template <class T, class Of>
+    std::vector<T> deliver(const Of& of) const {
+        std::vector<T> came;
+        if (ranks_.alone()) {
+            came.reserve(rows_.size());
+            for (const Row& row : rows_) came.push_back(of(row));
+            return came;
+        }
+        std::vector<Communicator::Message> messages;
+        for (std::size_t r = 0; r + 1 < cuts_.size(); ++r) {
+            if (cuts_[r] == cuts_[r + 1]) continue;
+            messages.push_back({static_cast<int>(r), std::vector<std::byte>((cuts_[r + 1] - cuts_[r]) * sizeof(T))});
+            std::byte* to = messages.back().bytes.data();
+            for (std::size_t k = cuts_[r]; k < cuts_[r + 1]; ++k, to += sizeof(T)) {
+                std::memcpy(to, static_cast<const void*>(&of(rows_[k])), sizeof(T));
+            }
+        }
+        messages = ranks_.exchange(messages);
+        std::size_t bytes = 0;
+        for (const Communicator::Message& message : messages) bytes += message.bytes.size();
+        came.resize(bytes / sizeof(T));
+        auto* to = reinterpret_cast<std::byte*>(came.data());
+        for (const Communicator::Message& message : messages) {
+            std::memcpy(to, message.bytes.data(), message.bytes.size());
+            to += message.bytes.size();
+        }
+        return came;
+    }
 
     Communicator ranks_;
     Division division_;

@@ -4,8 +4,9 @@
 #include <type_traits>
 
 #include "core/errors.hpp"
+#include "io/atomic_file.hpp"
+#include "io/hdf5/file_driver.hpp"
 #include "io/hdf5/hdf5_checks.hpp"
-#include "io/hdf5/placing_driver.hpp"
 
 namespace scree::io {
 
@@ -74,8 +75,7 @@ void collect_datasets(const Hdf5Group& root, hid_t group, const std::string& pre
 }  // namespace
 
 void silence_hdf5() {
-    // HDF5's own clean-up at exit crashes on a file that could not be flushed (a full disk). Every file is closed here,
-    // so nothing is lost without it.
+    // Every file is closed here: HDF5 needs no clean-up of its own at exit.
     static const bool done = [] { return H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0; }();
     static_cast<void>(done);
 }
@@ -84,6 +84,7 @@ void throw_hdf5_error(const std::string& file, const std::string& what) {
     ErrorText text;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, collect_error, &text);
     std::string message = file + ": " + what;
+    if (fault_of_open_file() != 0) throw_system_error(file, what, fault_of_open_file());  // the cause of what follows
     const std::string reason = system_reason(text.innermost);
     if (!reason.empty()) throw IoError(message + ": " + reason);
     if (!text.outermost.empty()) message += ": " + text.outermost;
@@ -110,25 +111,14 @@ int Hdf5Id::reset() {
 Hdf5File::Hdf5File(Hdf5Id id, std::string path)
     : path_(std::move(path)), id_(std::move(id)), root_(root_group(id_, path_)) {}
 
-namespace {
-
-Hdf5Id create_file(const std::string& path, std::size_t user_block, const Hdf5Id& access) {
+Hdf5File Hdf5File::create(const std::string& path, std::size_t user_block) {
+    const Hdf5Id access = file_access(path);
+    use_file_driver(access, path);
     const Hdf5Id creation = owned(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "HDF5 cannot be used");
     require(H5Pset_userblock(creation.get(), user_block), path, "HDF5 cannot be used");
-    return owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path,
-                 "cannot be created");
-}
-
-}  // namespace
-
-Hdf5File Hdf5File::create(const std::string& path, std::size_t user_block) {
-    return {create_file(path, user_block, file_access(path)), path};
-}
-
-Hdf5File Hdf5File::create_placing(const std::string& path, std::size_t user_block) {
-    const Hdf5Id access = file_access(path);
-    use_placing_driver(access, path);
-    return {create_file(path, user_block, access), path};
+    return {owned(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose, path,
+                  "cannot be created"),
+            path};
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {
@@ -138,6 +128,7 @@ Hdf5File Hdf5File::open(const std::string& path) {
 
 Hdf5File Hdf5File::open_writable(const std::string& path) {
     const Hdf5Id access = file_access(path);
+    use_file_driver(access, path);
     return {owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose, path, "cannot be opened"), path};
 }
 
@@ -145,6 +136,7 @@ void Hdf5File::close() {
     require(H5Fflush(id_.get(), H5F_SCOPE_GLOBAL), path_, "cannot be written");
     root_ = Hdf5Group({}, path_, "/");
     require(id_.reset(), path_, "cannot be closed");
+    if (fault_of_closed_file() != 0) throw_system_error(path_, "cannot be written", fault_of_closed_file());
 }
 
 Hdf5Group::Hdf5Group(Hdf5Id id, std::string file, std::string path)

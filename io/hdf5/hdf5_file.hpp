@@ -135,13 +135,12 @@ class Hdf5File {
   public:
     // An old file of this name is replaced. The first `user_block` bytes (0, or a power of 2 from 512) are left free.
     static Hdf5File create(const std::string& path, std::size_t user_block = 0);
-    // The same, by the placing driver (placing_driver.hpp).
-    static Hdf5File create_placing(const std::string& path, std::size_t user_block);
     static Hdf5File open(const std::string& path);  // for reading
     static Hdf5File open_writable(const std::string& path);
 
     const Hdf5Group& root() const { return root_; }
-    // Brings everything to the operating system, closes; the destructor closes without saying what went wrong.
+    // Brings everything to the operating system, closes, and throws if anything could not be written, now or earlier;
+    // the destructor closes without saying what went wrong.
     void close();
 
   private:

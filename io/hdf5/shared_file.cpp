@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <cstring>
 
 #include "io/atomic_file.hpp"
+#include "io/hdf5/file_driver.hpp"
 #include "io/hdf5/hdf5_checks.hpp"
 #include "io/hdf5/packed_rows.hpp"
-#include "io/hdf5/placing_driver.hpp"
 
 namespace scree::io {
 
@@ -20,9 +21,23 @@ namespace {
 
 // What rank 0 must know of a chunk to give it a place.
 struct ChunkSize {
+    std::uint64_t number;
     std::uint64_t bytes;
     std::uint64_t filters_left_out;
 };
+
+template <class T>
+std::vector<std::byte> to_bytes(const std::vector<T>& values) {
+    std::vector<std::byte> bytes(values.size() * sizeof(T));
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+}
+template <class T>
+std::vector<T> from_bytes(const std::vector<std::byte>& bytes) {
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+}
 
 Rows of_all(Rows rows, std::uint64_t total) {
     rows.count = total;
@@ -54,20 +69,20 @@ std::uint64_t place_plain(const Hdf5Group& root, const std::string& name, const 
     return place;
 }
 
-// Gives each chunk of `sizes`, the first of which is number `first`, its place.
-std::vector<std::uint64_t> place_chunks(const Hdf5Id& dataset, std::uint64_t first, std::span<const ChunkSize> sizes,
-                                        std::size_t chunk_rows, const Rows& rows, const std::string& file,
-                                        const std::string& what) {
+// Gives each chunk its place.
+std::vector<std::uint64_t> place_chunks(const Hdf5Id& dataset, const std::vector<ChunkSize>& sizes,
+                                        std::size_t chunk_rows, const Rows& rows, const std::string& name,
+                                        const std::string& file) {
     std::vector<std::uint64_t> places;
     std::vector<hsize_t> start(1 + rows.shape.size(), 0);
     std::vector<std::byte> anything;
     for (const ChunkSize& size : sizes) {
-        start[0] = (first + places.size()) * chunk_rows;
+        start[0] = size.number * chunk_rows;
         anything.resize(std::max<std::size_t>(anything.size(), size.bytes));
         const OnlyPlaces placing;
         require(H5Dwrite_chunk(dataset.get(), H5P_DEFAULT, static_cast<std::uint32_t>(size.filters_left_out),
                                start.data(), size.bytes, anything.data()),
-                file, what);
+                file, about(name, "cannot be written"));
         places.push_back(placing.last());
     }
     return places;
@@ -78,10 +93,10 @@ std::vector<std::uint64_t> place_chunks(const Hdf5Id& dataset, std::uint64_t fir
 SharedFile::SharedFile(std::string path, std::size_t user_block, const Communicator& ranks)
     : path_(std::move(path)), ranks_(ranks) {
     if (ranks_.alone()) {
-        file_ = Hdf5File::create(path_, user_block);
+        file_.emplace(Hdf5File::create(path_, user_block));
         return;
     }
-    scree::by_root(ranks_, [&] { file_ = Hdf5File::create_placing(path_, user_block); });
+    scree::by_root(ranks_, [&] { file_.emplace(Hdf5File::create(path_, user_block)); });
     fault_ = fault_of([&] {
         descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) throw_system_error(path_, "cannot be opened", errno);
@@ -89,14 +104,7 @@ SharedFile::SharedFile(std::string path, std::size_t user_block, const Communica
 }
 
 SharedFile::~SharedFile() {
-    if (!ranks_.alone()) give_up();
-}
-
-void SharedFile::give_up() {
-    const WriteNothing closing;
-    file_.reset();
     if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = -1;
 }
 
 void SharedFile::by_root(const std::function<void(const Hdf5Group& root)>& write) {
@@ -136,32 +144,25 @@ void SharedFile::packed_rows(const std::string& name, const Rows& rows, const Ex
     if (fault_.empty()) fault_ = fault_of([&] { chunks = pack_rows(rows, chunk_rows, layout, path_); });
     std::vector<Communicator::Message> messages;
     if (!chunks.empty()) {
-        Packer packer;
-        packer.put(std::uint64_t{extent.begin / chunk_rows});
-        for (const PackedChunk& chunk : chunks) packer.put(ChunkSize{chunk.bytes.size(), chunk.filters_left_out});
-        messages.push_back({0, std::move(packer.bytes)});
+        std::vector<ChunkSize> sizes;
+        for (const PackedChunk& chunk : chunks)
+            sizes.push_back({extent.begin / chunk_rows + sizes.size(), chunk.bytes.size(), chunk.filters_left_out});
+        messages.push_back({0, to_bytes(sizes)});
     }
     messages = ranks_.exchange(messages);
     by_root([&](const Hdf5Group& root) {
         const Rows all = of_all(rows, extent.total);
         const Hdf5Id dataset = create_empty(root, name, all, meaning, creation_list(all, layout, path_));
         for (Communicator::Message& message : messages) {
-            Unpacker unpacker(message.bytes);
-            const auto first = unpacker.get<std::uint64_t>();
-            std::vector<ChunkSize> sizes;
-            while (!unpacker.empty()) sizes.push_back(unpacker.get<ChunkSize>());
-            Packer answer;
-            answer.put_all(std::span<const std::uint64_t>(
-                place_chunks(dataset, first, sizes, chunk_rows, all, path_, about(name, "cannot be written"))));
-            message.bytes = std::move(answer.bytes);
+            const auto sizes = from_bytes<ChunkSize>(message.bytes);
+            message.bytes = to_bytes(place_chunks(dataset, sizes, chunk_rows, all, name, path_));
         }
     });
     if (ranks_.root() && !fault_.empty()) messages.clear();
     messages = ranks_.exchange(messages);
     if (messages.empty()) return;
-    Unpacker places(messages.front().bytes);
-    for (const PackedChunk& chunk : chunks)
-        write_at(places.get<std::uint64_t>(), chunk.bytes.data(), chunk.bytes.size());
+    const auto places = from_bytes<std::uint64_t>(messages.front().bytes);
+    for (std::size_t k = 0; k < places.size(); ++k) write_at(places[k], chunks[k].bytes.data(), chunks[k].bytes.size());
 }
 
 void SharedFile::write_at(std::uint64_t place, const void* data, std::size_t bytes) {
@@ -186,7 +187,6 @@ void SharedFile::close() {
         fault_ = fault_of([&] { throw_system_error(path_, "cannot be brought to the disk", errno); });
     }
     by_root([&](const Hdf5Group&) { file_->close(); });
-    give_up();
     agree_on_fault(fault_, ranks_);
 }
 

@@ -1,5 +1,5 @@
 // One HDF5 file that all ranks write, each its own rows, to the same contents as one rank would write. Rank 0 makes the
-// structure (placing_driver.hpp); rows go to the file from the rank that has them, compressed there. All ranks must
+// structure (file_driver.hpp); rows go to the file from the rank that has them, compressed there. All ranks must
 // see one file system alike (a parallel one, or a disk of the one machine they are on).
 //
 // A fault on a rank is kept, and the ranks go on together until close(), which throws it as IoError on all of them.
@@ -43,7 +43,6 @@ class SharedFile {
     void packed_rows(const std::string& name, const Rows& rows, const Extent& extent, const Meaning& meaning,
                      const Layout& layout);
     void write_at(std::uint64_t place, const void* data, std::size_t bytes);
-    void give_up();
 
     std::string path_;
     Communicator ranks_;

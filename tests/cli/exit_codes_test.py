@@ -28,6 +28,7 @@ class ExitCodes(CliTest):
                 (["run", SMALL, "--ouy", "x"], "--ouy"),
                 (["run", SMALL, "another.yaml"], "another.yaml"),
                 (["run", SMALL, "--set"], "--set"),
+                (["check", SMALL, "--ranks", "0"], "--ranks"),
                 (["compare", "a"], "b is required"),
                 (["compare", "a", "b", "--tolerance", "-1"], "--tolerance"),
                 (["explain", "solver.tolerence"], "tolerance"),

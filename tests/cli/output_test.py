@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import subprocess
 
 from scree_cli import HERE, SCREE, SMALL, CliTest, environment, main
@@ -64,6 +65,19 @@ walls:
                      "on   friction", "off  inlets", "snapshots", "no warnings"):
             self.assertIn(word, text)
         self.assertEqual(os.listdir(self.folder), [])
+
+    def test_check_shares_bodies_out(self):
+        text = self.scree("check", SMALL, "--ranks", "3", code=0).out
+        self.assertIn("3 ranks at the start", text)
+        rows = re.findall(r"(?m)^  (\d+) +(\d+) +(\d+) +(\d+) +\S+ \S+$", text)
+        self.assertEqual([int(row[0]) for row in rows], [0, 1, 2])
+        self.assertEqual(sum(int(row[1]) for row in rows), 96)
+        self.assertGreater(min(int(row[1]) for row in rows), 0)
+        self.assertGreater(sum(int(row[3]) for row in rows), 0)
+        # Few lines for many ranks, and more ranks than bodies.
+        text = self.scree("check", SMALL, "--ranks", "5000", code=0).out
+        self.assertLess(len(text.splitlines()), 60)
+        self.assertRegex(text, r"imbalance [0-9]{2,}[.]")  # of 96 / 5000 bodies a rank
 
     def test_check_warns(self):
         text = self.scree("check", SMALL, "--set", "time.step=0.02", "--set", "time.end=0.05", "--set",

@@ -88,6 +88,7 @@ inline State random_state(std::uint64_t seed, std::size_t bodies, bool spins, bo
     s.time = any_number(r);
     s.step = r.bits() >> 34;
     s.next_id = r.bits();
+    s.block_size = any_number(r);
     for (std::size_t i = 0; i < bodies; ++i) {
         s.bodies.id.push_back(BodyId{10 * i + r.bits() % 10});
         s.bodies.radius.push_back(any_number(r));

@@ -112,6 +112,7 @@ TEST(PlanCosts, FrictionlessScenesRunTheFrictionlessStep) {
     std::vector<WallLoad> loads(alone.scene.walls.size());
     for (int k = 0; k < 30; ++k) {
         alone.state.time = k * 1e-3;
+        alone.state.step = static_cast<std::uint64_t>(k);
         substep.advance(alone.state, 1e-3, loads);
     }
     EXPECT_EQ(state_hash(w.state.bodies), state_hash(alone.state.bodies));

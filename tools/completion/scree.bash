@@ -37,7 +37,7 @@ _scree() {
             compopt -o filenames 2>/dev/null
             return
             ;;
-        --walltime | --tolerance)
+        --walltime | --tolerance | --ranks)
             return
             ;;
         --set)
@@ -56,7 +56,7 @@ _scree() {
             files=yaml
             ;;
         check)
-            options+=" --set"
+            options+=" --set --ranks"
             files=yaml
             ;;
         compare)

@@ -1,4 +1,4 @@
-#include "io/hdf5/placing_driver.hpp"
+#include "io/hdf5/file_driver.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -23,14 +23,21 @@ struct OpenFile {
     ino_t inode = 0;
 };
 
-bool only_places = false, write_nothing = false;
+bool only_places = false;
 haddr_t last_place = 0;
+int fault = 0, closed_fault = 0;
 
 OpenFile& of(H5FD_t* file) {
     return *reinterpret_cast<OpenFile*>(file);
 }
 const OpenFile& of(const H5FD_t* file) {
     return *reinterpret_cast<const OpenFile*>(file);
+}
+
+// HDF5 is not told.
+herr_t keep_fault() {
+    if (fault == 0) fault = errno != 0 ? errno : EIO;
+    return 0;
 }
 
 // In the words in which HDF5's own driver gives the system's reason (hdf5_file.cpp finds it there).
@@ -52,6 +59,7 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
         if (descriptor >= 0) ::close(descriptor);
         return nullptr;
     }
+    fault = 0;
     auto* file = new OpenFile;
     file->descriptor = descriptor;
     file->end_of_file = static_cast<haddr_t>(info.st_size);
@@ -63,7 +71,10 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t, haddr_t) {
 herr_t close_file(H5FD_t* file) {
     const int result = ::close(of(file).descriptor);
     delete &of(file);
-    return result == 0 || write_nothing ? 0 : refuse("close", H5E_CANTCLOSEFILE, "unable to close file");
+    if (result != 0) keep_fault();
+    closed_fault = fault;
+    fault = 0;
+    return 0;
 }
 
 int compare(const H5FD_t* a, const H5FD_t* b) {
@@ -106,12 +117,12 @@ herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size,
 herr_t write_bytes(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, std::size_t size, const void* buffer) {
     const bool numbers = type == H5FD_MEM_DRAW;
     if (numbers) last_place = at;
-    if (write_nothing || (numbers && only_places)) return 0;
+    if (fault != 0 || (numbers && only_places)) return 0;
     const auto* from = static_cast<const char*>(buffer);
     while (size > 0) {
         const ssize_t n = ::pwrite(of(file).descriptor, from, size, static_cast<off_t>(at));
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return refuse("write", H5E_WRITEERROR, "file write failed");
+        if (n < 0) return keep_fault();
         from += n, at += static_cast<haddr_t>(n), size -= static_cast<std::size_t>(n);
     }
     of(file).end_of_file = std::max(of(file).end_of_file, at);
@@ -120,10 +131,8 @@ herr_t write_bytes(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, std::size_t
 
 herr_t truncate_file(H5FD_t* file, hid_t, hbool_t) {
     OpenFile& f = of(file);
-    if (f.end_of_addresses == f.end_of_file || write_nothing) return 0;
-    if (::ftruncate(f.descriptor, static_cast<off_t>(f.end_of_addresses)) != 0) {
-        return refuse("truncate", H5E_SEEKERROR, "unable to extend file properly");
-    }
+    if (f.end_of_addresses == f.end_of_file || fault != 0) return 0;
+    if (::ftruncate(f.descriptor, static_cast<off_t>(f.end_of_addresses)) != 0) return keep_fault();
     f.end_of_file = f.end_of_addresses;
     return 0;
 }
@@ -131,7 +140,7 @@ herr_t truncate_file(H5FD_t* file, hid_t, hbool_t) {
 hid_t registered() {
     static const hid_t id = [] {
         static H5FD_class_t driver{};
-        driver.name = "scree_placing";
+        driver.name = "scree_file";
         driver.maxaddr = (haddr_t{1} << 62) - 1;
         driver.fc_degree = H5F_CLOSE_WEAK;
         driver.open = open_file;
@@ -153,10 +162,17 @@ hid_t registered() {
 
 }  // namespace
 
-void use_placing_driver(const Hdf5Id& access, const std::string& file) {
+void use_file_driver(const Hdf5Id& access, const std::string& file) {
     const std::string what = "HDF5 cannot be used";
     if (registered() < 0) throw_hdf5_error(file, what);
     require(H5Pset_driver(access.get(), registered(), nullptr), file, what);
+}
+
+int fault_of_open_file() {
+    return fault;
+}
+int fault_of_closed_file() {
+    return closed_fault;
 }
 
 OnlyPlaces::OnlyPlaces() {
@@ -168,13 +184,6 @@ OnlyPlaces::~OnlyPlaces() {
 }
 std::uint64_t OnlyPlaces::last() const {
     return last_place;
-}
-
-WriteNothing::WriteNothing() {
-    write_nothing = true;
-}
-WriteNothing::~WriteNothing() {
-    write_nothing = false;
 }
 
 }  // namespace scree::io

@@ -1,0 +1,35 @@
+// A body on its way to another rank: all of it, or only who holds it from now on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/bodies.hpp"
+#include "core/parallel/communicator.hpp"
+
+namespace scree {
+
+struct BodyData {
+    double radius = 0.0, mass = 0.0;  // [m], [kg]
+    MaterialIndex material{};
+    Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+    Quat orientation = Quat::Identity();
+};
+BodyData body_data(const Bodies& bodies, std::size_t i);
+void append_body(const BodyData& data, bool spin, bool orientation, Bodies& bodies);  // without its id
+
+// What the owner of a body tells those who hold it or held it.
+struct BodyMessage {
+    std::uint64_t id = 0;
+    std::int32_t owner = 0;
+    double room = 0.0;         // [m] that the body may move before the halo is made anew
+    std::vector<int> holders;  // increasing
+    bool has_data = false;     // for those who have not held it
+    BodyData data;
+
+    bool held_by(int rank) const;
+    void put(Packer& packer, bool with_data, bool spin, bool orientation) const;
+    static BodyMessage get(Unpacker& unpacker, bool spin, bool orientation);
+};
+
+}  // namespace scree
