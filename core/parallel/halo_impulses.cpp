@@ -37,7 +37,7 @@ void Halo::merge_impulses(State& state, std::vector<Communicator::Message>& inco
     WarmStart& warm = state.warm_start;
     const std::vector<BodyId>& id = state.bodies.id;
     const auto here = [&](std::uint64_t body) { return std::binary_search(id.begin(), id.end(), BodyId{body}); };
-    bool added = false;
+    const std::size_t before = warm.key.size();
     for (const auto& message : incoming) {
         Unpacker unpacker(message.bytes);
         if (unpacker.empty()) continue;
@@ -57,13 +57,16 @@ void Halo::merge_impulses(State& state, std::vector<Communicator::Message>& inco
             else
                 warm.impulse_normal.push_back(p[0]);
             own_impulse_.push_back(0);
-            added = true;
         }
     }
-    if (!added) return;
+    if (warm.key.size() == before) return;
+    // the new ones in order, then merged with the old ones, which are
     std::vector<std::uint32_t> order(warm.key.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return warm.key[a] < warm.key[b]; });
+    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(before);
+    const auto by_key = [&](std::uint32_t a, std::uint32_t b) { return warm.key[a] < warm.key[b]; };
+    std::sort(middle, order.end(), by_key);
+    std::inplace_merge(order.begin(), middle, order.end(), by_key);
     reorder(warm.key, order);
     reorder(warm.impulse_vector, order);
     reorder(warm.impulse_normal, order);
