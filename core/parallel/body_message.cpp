@@ -22,7 +22,7 @@ BodyData body_data(const Bodies& bodies, std::size_t i) {
     b.position = bodies.position[i];
     b.velocity = bodies.velocity[i];
     if (bodies.has_spin()) b.spin = bodies.spin[i];
-    if (bodies.has_orientation()) b.orientation = bodies.orientation[i];
+    if (bodies.has_orientation()) std::copy_n(bodies.orientation[i].coeffs().data(), 4, b.orientation.begin());
     return b;
 }
 
@@ -33,11 +33,14 @@ void append_body(const BodyData& data, bool spin, bool orientation, Bodies& bodi
     bodies.position.push_back(data.position);
     bodies.velocity.push_back(data.velocity);
     if (spin) bodies.spin.push_back(data.spin);
-    if (orientation) bodies.orientation.push_back(data.orientation);
+    if (orientation) {
+        bodies.orientation.emplace_back();
+        std::copy_n(data.orientation.begin(), 4, bodies.orientation.back().coeffs().data());
+    }
 }
 
 bool BodyMessage::held_by(int rank) const {
-    return std::binary_search(holders.begin(), holders.end(), rank);
+    return holders.empty() ? rank == owner : std::binary_search(holders.begin(), holders.end(), rank);
 }
 
 void BodyMessage::put(Packer& packer, bool with_data, bool spin, bool orientation) const {
@@ -54,7 +57,7 @@ void BodyMessage::put(Packer& packer, bool with_data, bool spin, bool orientatio
     put_numbers(packer, data.position.data(), 3);
     put_numbers(packer, data.velocity.data(), 3);
     if (spin) put_numbers(packer, data.spin.data(), 3);
-    if (orientation) put_numbers(packer, data.orientation.coeffs().data(), 4);
+    if (orientation) put_numbers(packer, data.orientation.data(), 4);
 }
 
 BodyMessage BodyMessage::get(Unpacker& unpacker, bool spin, bool orientation) {
@@ -72,7 +75,7 @@ BodyMessage BodyMessage::get(Unpacker& unpacker, bool spin, bool orientation) {
     get_numbers(unpacker, m.data.position.data(), 3);
     get_numbers(unpacker, m.data.velocity.data(), 3);
     if (spin) get_numbers(unpacker, m.data.spin.data(), 3);
-    if (orientation) get_numbers(unpacker, m.data.orientation.coeffs().data(), 4);
+    if (orientation) get_numbers(unpacker, m.data.orientation.data(), 4);
     return m;
 }
 

@@ -1,6 +1,7 @@
 // A body on its way to another rank: all of it, or only who holds it from now on.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +14,7 @@ struct BodyData {
     double radius = 0.0, mass = 0.0;  // [m], [kg]
     MaterialIndex material{};
     Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
-    Quat orientation = Quat::Identity();
+    std::array<double, 4> orientation{};  // coefficients as Eigen keeps them; a Quat would be over-aligned
 };
 BodyData body_data(const Bodies& bodies, std::size_t i);
 void append_body(const BodyData& data, bool spin, bool orientation, Bodies& bodies);  // without its id
@@ -23,7 +24,7 @@ struct BodyMessage {
     std::uint64_t id = 0;
     std::int32_t owner = 0;
     double room = 0.0;         // [m] that the body may move before the halo is made anew
-    std::vector<int> holders;  // increasing
+    std::vector<int> holders;  // increasing; empty if the owner alone holds it
     bool has_data = false;     // for those who have not held it
     BodyData data;
 

@@ -65,6 +65,8 @@ std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings
         });
     };
     std::vector<BodyMessage> now;
+    now.reserve(bodies.size());
+    std::vector<int> holders;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
         const Vec3& x = bodies.position[i];
@@ -72,12 +74,13 @@ std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings
         if (settings.migrate) body.owner = partition.owner(block_of(x, settings.block_size));
         const double reach = bodies.radius[i] + room[i] + most_margin_;
         const Vec3 corner = Vec3::Constant(reach);
-        partition.owners(block_of(x - corner, settings.block_size), block_of(x + corner, settings.block_size),
-                         body.holders);
-        body.holders.push_back(body.owner);
-        if (near_wide(x, reach)) body.holders.push_back(kWideRank);
-        std::sort(body.holders.begin(), body.holders.end());
-        body.holders.erase(std::unique(body.holders.begin(), body.holders.end()), body.holders.end());
+        holders.clear();
+        partition.owners(block_of(x - corner, settings.block_size), block_of(x + corner, settings.block_size), holders);
+        holders.push_back(body.owner);
+        if (near_wide(x, reach)) holders.push_back(kWideRank);
+        std::sort(holders.begin(), holders.end());
+        holders.erase(std::unique(holders.begin(), holders.end()), holders.end());
+        if (holders.size() > 1) body.holders = holders;
         if (body.owner != ranks_.rank()) ++migrated_;
         now.push_back(std::move(body));
     }
@@ -91,9 +94,10 @@ void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool sp
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
         const BodyMessage& body = now[own++];
+        if (body.holders.empty() && body.owner == ranks_.rank() && other_[i].empty()) continue;  // most
+        const std::vector<int> alone{body.owner}, &holders = body.holders.empty() ? alone : body.holders;
         std::vector<int> to;
-        std::set_union(body.holders.begin(), body.holders.end(), other_[i].begin(), other_[i].end(),
-                       std::back_inserter(to));
+        std::set_union(holders.begin(), holders.end(), other_[i].begin(), other_[i].end(), std::back_inserter(to));
         for (const int rank : to) {
             if (rank == ranks_.rank()) continue;
             const bool held = std::binary_search(other_[i].begin(), other_[i].end(), rank);
@@ -115,7 +119,10 @@ void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool sp
             }
             now.push_back(std::move(body));
         }
-    std::sort(now.begin(), now.end(), [](const BodyMessage& a, const BodyMessage& b) { return a.id < b.id; });
+    const auto by_id = [](const BodyMessage& a, const BodyMessage& b) { return a.id < b.id; };
+    const auto middle = now.begin() + static_cast<std::ptrdiff_t>(own);
+    std::sort(middle, now.end(), by_id);
+    std::inplace_merge(now.begin(), middle, now.end(), by_id);
 }
 
 void Halo::lay_out(std::vector<BodyMessage>& now, bool spin, bool orientation, Bodies& bodies) {
@@ -129,7 +136,7 @@ void Halo::lay_out(std::vector<BodyMessage>& now, bool spin, bool orientation, B
         append_body(body.data, spin, orientation, laid);
         laid.ghost.push_back(body.owner == ranks_.rank() ? 0 : 1);
         other_.push_back(body.holders);
-        std::erase(other_.back(), ranks_.rank());
+        if (!body.holders.empty()) std::erase(other_.back(), ranks_.rank());
         place_.push_back(body.data.position);
         room_.push_back(body.room);
     }

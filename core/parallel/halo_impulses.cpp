@@ -9,15 +9,20 @@
 namespace scree {
 namespace {
 
-// One impulse in a message: key and vector, or key and number.
+// One impulse in a message; without friction its first number alone counts.
+struct ImpulseMessage {
+    std::uint64_t a, b;
+    std::uint64_t feature;
+    double p[3];
+};
+
 void put_impulse(Packer& packer, const WarmStart& warm, std::size_t k) {
-    packer.put(warm.key[k].a);
-    packer.put(warm.key[k].b);
-    packer.put(warm.key[k].feature);
+    ImpulseMessage m{warm.key[k].a, warm.key[k].b, warm.key[k].feature, {0.0, 0.0, 0.0}};
     if (!warm.impulse_vector.empty())
-        for (int d = 0; d < 3; ++d) packer.put(warm.impulse_vector[k][d]);
+        for (int d = 0; d < 3; ++d) m.p[d] = warm.impulse_vector[k][d];
     else
-        packer.put(warm.impulse_normal[k]);
+        m.p[0] = warm.impulse_normal[k];
+    packer.put(m);
 }
 
 // Takes the impulses in order of key: `order` says where each comes from.
@@ -44,18 +49,14 @@ void Halo::merge_impulses(State& state, std::vector<Communicator::Message>& inco
         const bool vectors = unpacker.get<std::uint8_t>() != 0;
         warm.step = unpacker.get<double>();
         while (!unpacker.empty()) {
-            ContactKey key;
-            key.a = unpacker.get<std::uint64_t>();
-            key.b = unpacker.get<std::uint64_t>();
-            key.feature = unpacker.get<std::uint32_t>();
-            Vec3 p = Vec3::Zero();
-            for (int d = 0; d < (vectors ? 3 : 1); ++d) p[d] = unpacker.get<double>();
+            const auto m = unpacker.get<ImpulseMessage>();
+            const ContactKey key{m.a, m.b, static_cast<std::uint32_t>(m.feature)};
             if (of_local_bodies && !(here(key.a) && (key.is_wall() || here(key.b)))) continue;
             warm.key.push_back(key);
             if (vectors)
-                warm.impulse_vector.push_back(p);
+                warm.impulse_vector.push_back(Vec3(m.p[0], m.p[1], m.p[2]));
             else
-                warm.impulse_normal.push_back(p[0]);
+                warm.impulse_normal.push_back(m.p[0]);
             own_impulse_.push_back(0);
         }
     }
@@ -83,8 +84,9 @@ void Halo::forward_impulses(State& state, const std::vector<BodyMessage>& now) {
         if (own_impulse_[k] == 0) continue;  // its owner sends it again to who needs it
         const auto at = std::lower_bound(now.begin(), now.end(), warm.key[k].a,
                                          [](const BodyMessage& body, std::uint64_t id) { return body.id < id; });
-        if (at != now.end() && at->id == warm.key[k].a)
-            for (const int rank : at->holders) {
+        if (at != now.end() && at->id == warm.key[k].a) {
+            const std::vector<int> alone{at->owner};
+            for (const int rank : at->holders.empty() ? alone : at->holders) {
                 if (rank == ranks_.rank()) continue;
                 Packer& packer = out[rank];
                 if (packer.bytes.empty()) {
@@ -93,6 +95,7 @@ void Halo::forward_impulses(State& state, const std::vector<BodyMessage>& now) {
                 }
                 put_impulse(packer, warm, k);
             }
+        }
         warm.key[kept] = warm.key[k];
         if (!warm.impulse_vector.empty()) warm.impulse_vector[kept] = warm.impulse_vector[k];
         if (!warm.impulse_normal.empty()) warm.impulse_normal[kept] = warm.impulse_normal[k];
