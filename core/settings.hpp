@@ -43,8 +43,8 @@ struct SolverSettings {
 // Position-level correction of penetration: moves bodies, not velocities.
 struct CorrectionSettings {
     bool on = true;
-    int sweeps = 40;     // at most, in a step; they end when none moves a contact any more
-    double share = 0.8;  // of the penetration, aimed at in one step
+    int sweeps = 40;      // at most, in a step; they end when none moves a contact any more
+    double share = 0.83;  // of the penetration, aimed at in one step
 };
 
 struct OutputSettings {

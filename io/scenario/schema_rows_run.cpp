@@ -128,7 +128,7 @@ std::vector<Row> run() {
             .says("Sweeps of the correction in each step. More: the correction reaches further through a dense pack, "
                   "and costs more."),
         number("correction.share")
-            .standardly("0.8")
+            .standardly("0.83")
             .in(between(0, 1))
             .says("The share of each penetration that one step aims to take away. Large values shake dense packs, "
                   "small ones leave "

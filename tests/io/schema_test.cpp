@@ -52,7 +52,7 @@ TEST(Explain, AKeyWithUnitDefaultRangeAndMeaning) {
     EXPECT_EQ(explain("correction.share"),
               "correction.share\n"
               "    expected: a number 0 to 1\n"
-              "    default: 0.8\n"
+              "    default: 0.83\n"
               "    The share of each penetration that one step aims to take away. Large values shake dense packs,\n"
               "    small ones leave more overlap.\n");
     const std::string step = explain("time.step");
