@@ -89,8 +89,9 @@ class Packer {
     }
     template <class T>
     void put_all(std::span<const T> values) {
-        const auto* from = reinterpret_cast<const std::byte*>(values.data());
-        bytes.insert(bytes.end(), from, from + values.size_bytes());
+        const std::size_t before = bytes.size();
+        bytes.resize(before + values.size_bytes());
+        if (!values.empty()) __builtin_memcpy(bytes.data() + before, values.data(), values.size_bytes());
     }
     std::vector<std::byte> bytes;
 };
