@@ -1,9 +1,4 @@
-// Overlaps of bodies at the start, where each rank has any of the bodies: they meet on ranks by place.
-//
-// Space is cut into cells, each cell belongs to a rank by a hash of its place. A body goes to the rank of the cell that
-// it lies in, and a copy to the ranks of all cells within its diameter of its centre. Two bodies overlap only if the
-// smaller one's centre lies less than the larger one's diameter away from its centre: so the rank of the smaller one's
-// cell has both, and counts the pair, once.
+// Overlaps of bodies at the start: how many, and the deepest.
 #pragma once
 
 #include <cstdint>

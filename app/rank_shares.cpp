@@ -7,6 +7,7 @@
 #include "app/check_report.hpp"
 #include "app/human_text.hpp"
 #include "core/parallel/blocks.hpp"
+#include "core/parallel/halo.hpp"
 #include "core/parallel/partition.hpp"
 #include "solvers/layout.hpp"
 
@@ -14,15 +15,6 @@ namespace scree::app {
 namespace {
 
 constexpr std::size_t kMostLines = 40;
-// As core/parallel/halo.cpp: copies last for some steps, so a body may move by this share of its radius, and be pushed
-// by this share of a block, before they are made anew.
-constexpr double kStepsAhead = 10.0, kLeastRoom = 0.1, kMostRoom = 2.0, kPush = 0.01;
-
-double reach(const Scene& scene, const Bodies& bodies, std::size_t i, double block_size) {
-    const double travel = kStepsAhead * scene.time.step * bodies.velocity[i].norm(), r = bodies.radius[i];
-    return r + std::clamp(travel, kLeastRoom * r, kMostRoom * r) + kPush * block_size;
-}
-
 struct Column {
     double min = 0.0, mean = 0.0, max = 0.0;
 };
@@ -58,7 +50,8 @@ std::vector<RankShare> share_out(const Scene& scene, const State& state, int ran
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const int owner = partition.owner(work[i].block);
         ++shares[static_cast<std::size_t>(owner)].bodies;
-        const Vec3 far = Vec3::Constant(reach(scene, bodies, i, size));
+        const double room = room_to_move(bodies.radius[i], bodies.velocity[i].norm(), scene.time.step);
+        const Vec3 far = Vec3::Constant(bodies.radius[i] + room + margin_covered(0.0, size));
         holders.clear();
         partition.owners(block_of(bodies.position[i] - far, size), block_of(bodies.position[i] + far, size), holders);
         for (const int rank : holders) shares[static_cast<std::size_t>(rank)].border += rank == owner ? 0 : 1;

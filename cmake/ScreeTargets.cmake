@@ -12,8 +12,9 @@ endif()
 
 add_library(scree_flags INTERFACE)
 # One result on every machine width and in every build: no contraction, no reordering.
+# -Wno-restrict: g++ 12 warns of std::string where nothing is wrong (GCC bug 105651).
 target_compile_options(scree_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
-                       -Wno-psabi -ffp-contract=off -fno-math-errno -fno-trapping-math)
+                       -Wno-psabi -Wno-restrict -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(SCREE_NATIVE)
   target_compile_options(scree_flags INTERFACE -march=native)
 endif()

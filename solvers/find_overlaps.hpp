@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 
@@ -13,8 +14,9 @@ struct Overlap {
     double depth;  // [m]
     Vec3 point;
 };
-// With each other and with the walls present at state.time: deeper than `relative` of the smaller radius. An overlap is
-// found on the rank that has the body key.a; one with a body of another rank is found if that one is here as a ghost.
-std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative);
+// With each other and with the walls present at state.time: deeper than `relative` of the smaller radius. Bodies lie on
+// any ranks; each overlap is found by the one that would solve its contact. Collective.
+std::vector<Overlap> find_overlaps(const Scene& scene, const State& state, double relative,
+                                   const Communicator& ranks = Communicator::self());
 
 }  // namespace scree::solvers

@@ -36,15 +36,7 @@ double choose_block_size(const Bodies& bodies, const Communicator& ranks) {
         if (!bodies.is_ghost(i)) own.push_back(bodies.radius[i]);
     const std::uint64_t n = ranks.sum(static_cast<std::uint64_t>(own.size()));
     if (n == 0) return 0.0;
-    double middle = 0.0;
-    if (ranks.alone()) {
-        const auto at = own.begin() + static_cast<std::ptrdiff_t>(n / 2);
-        std::nth_element(own.begin(), at, own.end());
-        middle = *at;
-    } else {
-        middle = kth_of_all(own, n / 2, ranks);
-    }
-    const double median = 2.0 * middle;
+    const double median = 2.0 * kth_of_all(own, n / 2, ranks);
     const double widest = 2.0 * ranks.max(own.empty() ? 0.0 : *std::max_element(own.begin(), own.end()));
     return std::min(std::max(5.0 * median, 2.2 * widest), 16.0 * median);
 }

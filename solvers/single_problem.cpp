@@ -32,52 +32,59 @@ bool single_is_enough(const SolverSettings& settings, const Extremes& extremes, 
 
 // Longest blocks first, each to the half that has fewer batches so far.
 template <class Law>
-std::uint32_t SingleProblem<Law>::arrange(const Layout& layout, std::uint32_t from, std::uint32_t to,
-                                          std::uint32_t at) {
+void SingleProblem<Law>::deal(const Layout& layout, std::uint32_t from, std::uint32_t to,
+                              std::array<std::uint32_t, 2>& next) {
     sorted_.assign(layout.blocks().begin() + from, layout.blocks().begin() + to);
     std::sort(sorted_.begin(), sorted_.end(), [](const Block& a, const Block& b) {
         const std::uint32_t of_a = a.end - a.begin, of_b = b.end - b.begin;
         return of_a != of_b ? of_a > of_b : a.begin < b.begin;
     });
-    const std::size_t first_run = runs_.size();
-    std::array<std::uint32_t, 2> next{at, at};
     for (const Block& block : sorted_) {
         const std::size_t half = next[0] <= next[1] ? 0 : 1;
         places_.push_back({block.begin, block.end, next[half], static_cast<int>(half)});
         next[half] += block.end - block.begin;
         runs_.push_back({0, next[half], {half == 0, half == 1}});
     }
-    // runs go from end to end of blocks of either half
-    std::sort(runs_.begin() + static_cast<std::ptrdiff_t>(first_run), runs_.end(),
-              [](const Run& a, const Run& b) { return a.end < b.end; });
-    std::size_t last = first_run;
-    for (std::size_t k = first_run; k < runs_.size(); ++k) {
-        if (k > first_run && runs_[k].end == runs_[last].end) {
-            runs_[last].ends = {true, true};
-            continue;
-        }
-        if (k > first_run) ++last;
-        runs_[last] = runs_[k];
-        runs_[last].begin = last == first_run ? at : runs_[last - 1].end;
-    }
-    if (from < to) runs_.resize(last + 1);
-    return std::max(next[0], next[1]);
 }
 
+// Runs go from end to end of blocks of either half; the first begins at `at`.
+template <class Law>
+void SingleProblem<Law>::join_runs(std::size_t first, std::uint32_t at) {
+    if (first == runs_.size()) return;
+    std::sort(runs_.begin() + static_cast<std::ptrdiff_t>(first), runs_.end(),
+              [](const Run& a, const Run& b) { return a.end < b.end; });
+    std::size_t last = first;
+    for (std::size_t k = first + 1; k < runs_.size(); ++k) {
+        if (runs_[k].end == runs_[last].end)
+            runs_[last].ends = {true, true};
+        else
+            runs_[++last] = runs_[k];
+    }
+    runs_.resize(last + 1);
+    for (std::size_t k = first; k < runs_.size(); ++k) runs_[k].begin = k == first ? at : runs_[k - 1].end;
+}
+
+// The blocks at a border are done first; inner ones fill the half that is through with them.
 template <class Law>
 void SingleProblem<Law>::arrange(const Layout& layout) {
     places_.clear();
     runs_.clear();
-    std::uint32_t batches = 0;
+    std::array<std::uint32_t, 2> next{};
     for (std::size_t k = 0; k < kPhases; ++k) {
         const Layout::PhaseBlocks& of = layout.phase(k);
-        phase_[k].begin = static_cast<std::uint32_t>(runs_.size());
-        batches = arrange(layout, of.begin, of.inner, batches);
-        phase_[k].inner = static_cast<std::uint32_t>(runs_.size());
-        batches = arrange(layout, of.inner, of.end, batches);
-        phase_[k].end = static_cast<std::uint32_t>(runs_.size());
+        const std::size_t first = runs_.size();
+        const std::uint32_t at = next[0];
+        deal(layout, of.begin, of.inner, next);
+        const std::uint32_t border = std::max(next[0], next[1]);
+        deal(layout, of.inner, of.end, next);
+        join_runs(first, at);
+        const auto inner = std::find_if(runs_.begin() + static_cast<std::ptrdiff_t>(first), runs_.end(),
+                                        [border](const Run& run) { return run.begin >= border; });
+        phase_[k] = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(inner - runs_.begin()),
+                     static_cast<std::uint32_t>(runs_.size())};
+        next.fill(std::max(next[0], next[1]));
     }
-    sweeps.batch.assign(batches, {});
+    sweeps.batch.assign(next[0], {});
 }
 
 template <class Law>

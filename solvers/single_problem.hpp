@@ -54,7 +54,9 @@ class SingleProblem {
         int half;
     };
     void arrange(const Layout& layout);
-    std::uint32_t arrange(const Layout& layout, std::uint32_t from, std::uint32_t to, std::uint32_t at);
+    // Gives the layout's blocks their places; `next`: the first free batch of each half.
+    void deal(const Layout& layout, std::uint32_t from, std::uint32_t to, std::array<std::uint32_t, 2>& next);
+    void join_runs(std::size_t first, std::uint32_t at);
 
     double velocity_unit_ = 1.0, inverse_mass_unit_ = 1.0;  // [m/s], [1/kg]
     std::vector<Place> places_;

@@ -89,8 +89,7 @@ struct Stepper::Impl {
     std::variant<Substep<Frictional>, Substep<Frictionless>> substep;
     std::vector<WallLoad> loads;
     double last_step = 0.0;
-    std::vector<double> margin;   // scratch
-    std::vector<BlockWork> work;  // scratch
+    std::vector<double> margin;  // scratch
 
     Impl(const Scene& s, const Plan& p, const Communicator& r)
         : scene(s), plan(p), ranks(r), domain(r), substep(std::in_place_type<Substep<Frictionless>>, s, p, domain) {
@@ -130,9 +129,10 @@ void Stepper::Impl::settle(State& state, bool changed) {
     if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
     if (domain.alone() || !domain.started()) return;
     contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
-    work.clear();
-    std::visit([this](const auto& s) { s.add_work(work); }, substep);
-    if (domain.settle(state, margin, scene.time.step, work, changed))
+    const auto add_work = [this](std::vector<BlockWork>& work) {
+        std::visit([&work](const auto& s) { s.add_work(work); }, substep);
+    };
+    if (domain.settle(state, margin, scene.time.step, add_work, changed))
         std::visit([](auto& s) { s.bodies_changed(); }, substep);
 }
 

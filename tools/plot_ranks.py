@@ -1,13 +1,11 @@
 #!/usr/bin/python3
 """Draws how the work of a run was shared by its ranks: imbalance and waiting over time, time by phase of each rank."""
 import argparse
+import functools
 import pathlib
 
-from pictures import errors, rank_panels, runs
+from pictures import errors, rank_panels, runs, sheet
 from pictures.errors import PictureError
-from pictures.style import GREY, plt
-
-COLUMNS = 3
 
 
 def facts_of(section):
@@ -31,22 +29,9 @@ def draw(run, target):
     panels = rank_panels.choose(records, section)
     if not panels:
         raise PictureError(f"{run} says nothing about ranks yet")
-    columns = min(COLUMNS, len(panels))
-    rows = -(-len(panels) // columns)
-    height = 3.2 * rows + 0.8
-    figure, grid = plt.subplots(rows, columns, figsize=(5.2 * columns, height), squeeze=False, layout="constrained")
-    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12, rect=(0, 0, 1, 1 - 0.62 / height))
-    for axes, panel in zip(grid.flat, panels):
-        panel(axes, records, section)
-    for axes in list(grid.flat)[len(panels):]:
-        axes.set_visible(False)
-    figure.text(0.012, 1 - 0.16 / height, f"{summary.get('title') or 'Run'}: ranks", fontsize=14, fontweight="bold",
-                va="top")
-    figure.text(0.012, 1 - 0.45 / height, facts_of(section), fontsize=9.5, color=GREY, va="top")
-    try:
-        figure.savefig(target, dpi=110)
-    except OSError as error:
-        raise PictureError(f"{target} cannot be written ({error.strerror or error})") from error
+    title = f"{summary.get('title') or 'Run'}: ranks"
+    sheet.draw([functools.partial(panel, records=records, section=section) for panel in panels], title,
+               facts_of(section), target, size=(5.2, 3.2))
 
 
 def main():

@@ -1,15 +1,13 @@
 #!/usr/bin/python3
 """Draws the history of a run on one page: flow rates, energies, residual, penetration, forces, time by phase."""
 import argparse
+import functools
 import pathlib
 
-from pictures import errors, runs
+from pictures import errors, runs, sheet
 from pictures.errors import PictureError
 from pictures.measure_panels import number
 from pictures.panels import choose
-from pictures.style import GREY, plt
-
-COLUMNS = 3
 
 
 def headline(history, summary):
@@ -34,23 +32,8 @@ def draw(run, target):
     panels = choose(history, summary)
     if not panels:
         raise PictureError(f"{run / 'history.h5'} has only the columns {', '.join(history.columns)}: nothing to draw")
-    columns = min(COLUMNS, len(panels))
-    rows = -(-len(panels) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(4.6 * columns, 2.9 * rows + 0.8), squeeze=False,
-                                layout="constrained")
-    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12, rect=(0, 0, 1, 1 - 0.62 / (2.9 * rows + 0.8)))
-    for axes, panel in zip(grid.flat, panels):
-        panel(axes, history, summary)
-    for axes in list(grid.flat)[len(panels):]:
-        axes.set_visible(False)
-    title, facts = headline(history, summary)
-    height = figure.get_figheight()
-    figure.text(0.012, 1 - 0.16 / height, title, fontsize=14, fontweight="bold", va="top")
-    figure.text(0.012, 1 - 0.45 / height, facts, fontsize=9.5, color=GREY, va="top")
-    try:
-        figure.savefig(target, dpi=110)
-    except OSError as error:
-        raise PictureError(f"{target} cannot be written ({error.strerror or error})") from error
+    sheet.draw([functools.partial(panel, history=history, summary=summary) for panel in panels],
+               *headline(history, summary), target, size=(4.6, 2.9))
 
 
 def main():

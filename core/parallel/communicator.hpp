@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -94,6 +95,22 @@ class Packer {
         if (!values.empty()) __builtin_memcpy(bytes.data() + before, values.data(), values.size_bytes());
     }
     std::vector<std::byte> bytes;
+};
+// Messages being filled, one a receiving rank.
+class Outbox {
+  public:
+    Packer& operator[](int rank) { return packer_[rank]; }
+    // In order of rank; the box is empty after it.
+    std::vector<Communicator::Message> take() {
+        std::vector<Communicator::Message> messages;
+        messages.reserve(packer_.size());
+        for (auto& [rank, packer] : packer_) messages.push_back({rank, std::move(packer.bytes)});
+        packer_.clear();
+        return messages;
+    }
+
+  private:
+    std::map<int, Packer> packer_;
 };
 class Unpacker {
   public:

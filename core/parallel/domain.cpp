@@ -37,16 +37,17 @@ bool Domain::cover(State& state, const std::vector<double>& margin, double step)
     return true;
 }
 
-bool Domain::settle(State& state, const std::vector<double>& margin, double step, const std::vector<BlockWork>& work,
+bool Domain::settle(State& state, const std::vector<double>& margin, double step, const AddWork& add_work,
                     bool changed) {
     if (alone() || !ranks_.any(changed || !halo_.holds(state, margin, 0.5 * step))) return false;
-    balance(state, work);
+    balance(state, add_work);
     halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
     return true;
 }
 
-void Domain::balance(const State& state, const std::vector<BlockWork>& work) {
-    std::vector<BlockWork> all = work;
+void Domain::balance(const State& state, const AddWork& add_work) {
+    std::vector<BlockWork> all;
+    add_work(all);
     for (std::size_t i = 0; i < state.bodies.size(); ++i)
         if (!state.bodies.is_ghost(i)) all.push_back({block_of(state.bodies.position[i], state.block_size), 1});
     imbalance_ = imbalance_of(ranks_, partition_, all);

@@ -2,6 +2,7 @@
 // rank it does nothing.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/parallel/communicator.hpp"
@@ -25,10 +26,11 @@ class Domain {
     // (one a body). Returns true if bodies were exchanged: indices have changed then. Bodies keep their owners.
     bool cover(State& state, const std::vector<double>& margin, double step);
     // The same at the end of a step, looking ahead to the middle of the next one; and bodies go to the owners of their
-    // blocks. `work`: of this rank's blocks in the last step; when the largest share of a rank is too far above the
-    // mean, space is cut anew first. `changed`: bodies came or went.
-    bool settle(State& state, const std::vector<double>& margin, double step, const std::vector<BlockWork>& work,
-                bool changed);
+    // blocks. `add_work` adds that of this rank's blocks in the last step, and is called only if bodies are dealt out
+    // anew; when the largest share of a rank is too far above the mean, space is cut anew first. `changed`: bodies came
+    // or went.
+    using AddWork = std::function<void(std::vector<BlockWork>&)>;
+    bool settle(State& state, const std::vector<double>& margin, double step, const AddWork& add_work, bool changed);
     // Before the first step: bodies lie on any ranks.
     void start(State& state, const std::vector<double>& margin, double step);
     // Blocks have another size: partition and halo mean nothing until start() is called again.
@@ -39,7 +41,7 @@ class Domain {
     double imbalance() const { return imbalance_; }  // largest work of a rank over the mean, when last looked at
 
   private:
-    void balance(const State& state, const std::vector<BlockWork>& work);
+    void balance(const State& state, const AddWork& add_work);
 
     const Communicator& ranks_;
     Partition partition_;

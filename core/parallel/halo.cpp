@@ -15,6 +15,13 @@ constexpr double kLeastMargin = 0.01;  // and are at least this share of a block
 
 }  // namespace
 
+double room_to_move(double radius, double speed, double step, double margin) {
+    return kMoreMargin * margin + std::clamp(kStepsAhead * step * speed, kLeastRoom * radius, kMostRoom * radius);
+}
+double margin_covered(double largest, double block_size) {
+    return kMoreMargin * largest + kLeastMargin * block_size;
+}
+
 void Halo::rebuild(const Partition& partition, const Settings& settings, const std::vector<double>& margin,
                    State& state) {
     if (ranks_.alone()) return;
@@ -24,12 +31,10 @@ void Halo::rebuild(const Partition& partition, const Settings& settings, const s
     double most = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!bodies.is_ghost(i)) most = std::max(most, margin[i]);
-    most_margin_ = kMoreMargin * ranks_.max(most) + kLeastMargin * settings.block_size;
+    most_margin_ = margin_covered(ranks_.max(most), settings.block_size);
     std::vector<double> room(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const double travel = kStepsAhead * settings.step * bodies.velocity[i].norm(), r = bodies.radius[i];
-        room[i] = kMoreMargin * margin[i] + std::clamp(travel, kLeastRoom * r, kMostRoom * r);
-    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        room[i] = room_to_move(bodies.radius[i], bodies.velocity[i].norm(), settings.step, margin[i]);
     // ranks without a body know by the others which arrays there are
     const bool spin = ranks_.any(bodies.has_spin()), orientation = ranks_.any(bodies.has_orientation());
     std::vector<BodyMessage> now = decide(partition, settings, bodies, room);
@@ -89,7 +94,7 @@ std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings
 
 // Those who held a body, and those who will, hear of it from its owner; the latter get it whole.
 void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool spin, bool orientation) {
-    std::map<int, Packer> out;
+    Outbox out;
     std::size_t own = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
@@ -104,11 +109,10 @@ void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool sp
             body.put(out[rank], body.held_by(rank) && !held, spin, orientation);
         }
     }
-    std::vector<Communicator::Message> outgoing;
-    for (auto& [rank, packer] : out) {
+    const std::vector<Communicator::Message> outgoing = out.take();
+    for (const Communicator::Message& message : outgoing) {
         ++traffic_.messages;
-        traffic_.bytes += packer.bytes.size();
-        outgoing.push_back({rank, std::move(packer.bytes)});
+        traffic_.bytes += message.bytes.size();
     }
     for (const auto& message : ranks_.exchange(outgoing))
         for (Unpacker unpacker(message.bytes); !unpacker.empty();) {

@@ -25,6 +25,11 @@ namespace scree {
 
 inline constexpr int kWideRank = 0;  // solves the contacts of bodies wider than a block
 
+// s_i [m] of a body: room for its margin and for its motion in the next steps, so that the halo lasts.
+double room_to_move(double radius, double speed, double step, double margin = 0.0);
+// e [m]: margins up to it are covered, `largest` being the largest of now.
+double margin_covered(double largest, double block_size);
+
 class Halo {
   public:
     explicit Halo(const Communicator& ranks) : ranks_(ranks) {}

@@ -1,7 +1,6 @@
 // Impulses of the last step follow the contacts: each rank keeps those that it solved, and copies of those that it may
 // have to solve next.
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 #include "core/parallel/halo.hpp"
@@ -78,7 +77,7 @@ void Halo::merge_impulses(State& state, std::vector<Communicator::Message>& inco
 void Halo::forward_impulses(State& state, const std::vector<BodyMessage>& now) {
     WarmStart& warm = state.warm_start;
     own_impulse_.resize(warm.key.size(), 1);  // before the first step all of them are this rank's
-    std::map<int, Packer> out;
+    Outbox out;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < warm.key.size(); ++k) {
         if (own_impulse_[k] == 0) continue;  // its owner sends it again to who needs it
@@ -105,9 +104,7 @@ void Halo::forward_impulses(State& state, const std::vector<BodyMessage>& now) {
     if (!warm.impulse_vector.empty()) warm.impulse_vector.resize(kept);
     if (!warm.impulse_normal.empty()) warm.impulse_normal.resize(kept);
     own_impulse_.assign(kept, 1);
-    std::vector<Communicator::Message> outgoing;
-    for (auto& [rank, packer] : out) outgoing.push_back({rank, std::move(packer.bytes)});
-    auto incoming = ranks_.exchange(outgoing);
+    auto incoming = ranks_.exchange(out.take());
     merge_impulses(state, incoming, true);
     const double step = ranks_.max(warm.step);  // of ranks without a contact too
     warm.step = step;

@@ -6,6 +6,7 @@
 #include "app/error_agreement.hpp"
 #include "app/overlaps.hpp"
 #include "core/random.hpp"
+#include "tests/mpi/dealt.hpp"
 
 namespace scree::app {
 namespace {
@@ -61,22 +62,12 @@ State scattered(std::uint64_t seed, int count, double side) {
         for (int axis = 0; axis < 3; ++axis) x[axis] = random.uniform(-side, side);
         state.bodies.id.push_back(BodyId{static_cast<std::uint64_t>(3 * k)});
         state.bodies.position.push_back(x);
+        state.bodies.velocity.push_back(Vec3::Zero());
+        state.bodies.mass.push_back(1.0);
+        state.bodies.material.push_back(MaterialIndex{0});
         state.bodies.radius.push_back(random.uniform() < 0.05 ? 0.4 : random.uniform(0.01, 0.05));
     }
     return state;
-}
-
-// The bodies of which this rank is the random owner.
-State share_of(const State& whole, std::uint64_t seed, const Communicator& ranks) {
-    State part;
-    for (std::size_t k = 0; k < whole.bodies.size(); ++k) {
-        const std::uint64_t owner = Random(seed, 1, k).bits() % static_cast<std::uint64_t>(ranks.size());
-        if (owner != static_cast<std::uint64_t>(ranks.rank())) continue;
-        part.bodies.id.push_back(whole.bodies.id[k]);
-        part.bodies.position.push_back(whole.bodies.position[k]);
-        part.bodies.radius.push_back(whole.bodies.radius[k]);
-    }
-    return part;
 }
 
 TEST(Overlaps, CountedOnceHoweverBodiesLieOnRanks) {
@@ -88,7 +79,9 @@ TEST(Overlaps, CountedOnceHoweverBodiesLieOnRanks) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         const State whole = scattered(seed, seed == 0 ? 0 : static_cast<int>(20 * seed), seed % 3 == 0 ? 0.5 : 2.0);
         const Overlaps expected = count_overlaps(scene, whole, 0.01, Communicator::self());
-        const Overlaps found = count_overlaps(scene, share_of(whole, seed, ranks), 0.01, ranks);
+        State mine;
+        mine.bodies = testing::share(whole.bodies, seed, testing::Ghosts::none);
+        const Overlaps found = count_overlaps(scene, mine, 0.01, ranks);
         EXPECT_EQ(expected.count, found.count) << "seed " << seed;
         EXPECT_TRUE(seed < 4 || expected.count > 0);
         if (!ranks.root()) continue;

@@ -10,17 +10,15 @@
 #include "core/state_hash.hpp"
 #include "solvers/energy.hpp"
 #include "solvers/stepper.hpp"
-#include "tests/testing/small_scene.hpp"
+#include "tests/mpi/dealt.hpp"
 
 namespace scree {
 namespace {
 
+using testing::Ghosts;
+using testing::share;
 using testing::SmallScene;
-
-const Communicator& world() {
-    static const Communicator ranks = Communicator::world();
-    return ranks;
-}
+using testing::world;
 
 struct Run {
     Scene scene;
@@ -28,22 +26,10 @@ struct Run {
     Plan plan;
     std::unique_ptr<solvers::Stepper> stepper;
 
-    // The share of a rank in the bodies of `w`: dealt out one by one.
     Run(const SmallScene& w, const Communicator& ranks) : scene(w.scene), state(w.state) {
         plan = make_plan(scene, w.state.bodies);
-        Bodies own;
-        for (std::size_t i = 0; i < w.state.bodies.size(); ++i) {
-            if (static_cast<int>(i % static_cast<std::size_t>(ranks.size())) != ranks.rank()) continue;
-            const Bodies& all = w.state.bodies;
-            own.id.push_back(all.id[i]);
-            own.radius.push_back(all.radius[i]);
-            own.mass.push_back(all.mass[i]);
-            own.material.push_back(all.material[i]);
-            own.position.push_back(all.position[i]);
-            own.velocity.push_back(all.velocity[i]);
-            if (plan.friction) own.spin.push_back(w.given_spins[i]);
-        }
-        state.bodies = own;
+        if (plan.friction) state.bodies.spin = w.given_spins;
+        if (!ranks.alone()) state.bodies = share(state.bodies, 0, Ghosts::none);
         state.inlets.resize(scene.inlets.size());
         state.outlets.resize(scene.outlets.size());
         state.measures.resize(scene.measures.size());
