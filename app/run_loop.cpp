@@ -46,7 +46,7 @@ Decisions decide(RunContext& run) {
 }
 
 void write_checkpoint(RunContext& run) {
-    run.output.checkpoint(run.state, run.stepper.own_impulses(run.state), run.times.mean(run.state));
+    run.output.checkpoint(run.state, run.times.mean(run.state));
 }
 
 void write_due(RunContext& run, const StepReport& report) {

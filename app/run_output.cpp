@@ -79,7 +79,7 @@ void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<Con
     console_.detail(fmt::format("t = {:.6g} s: snapshot {:06}", state.time, state.snapshots_written - 1));
 }
 
-void RunOutput::checkpoint(State& state, const WarmStart& own, const PhaseTimes& phases) {
+void RunOutput::checkpoint(State& state, const PhaseTimes& phases) {
     const Clock::time_point begin = Clock::now();
     {
         const PhaseTimer timer(state.totals, Phase::output);
@@ -88,7 +88,7 @@ void RunOutput::checkpoint(State& state, const WarmStart& own, const PhaseTimes&
     update_wall_time(state);
     const bool first = last_checkpoint_.empty();
     const PhaseTimes timed_here = std::exchange(state.totals.wall_by_phase, phases);
-    last_checkpoint_ = io::write_checkpoint(folder_.checkpoints().string(), state, own, provenance_, ranks_);
+    last_checkpoint_ = io::write_checkpoint(folder_.checkpoints().string(), state, provenance_, ranks_);
     state.totals.wall_by_phase = timed_here;
     last_checkpoint_time_ = Clock::now();
     longest_checkpoint_ = first ? seconds_since(begin) : std::max(longest_checkpoint_, seconds_since(begin));

@@ -31,7 +31,7 @@ class RunOutput {
     void snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts);
     // Also brings the history to the disk. `own`: the impulses that this rank solved; `phases`: to be written as those
     // of the run.
-    void checkpoint(State& state, const WarmStart& own, const PhaseTimes& phases);
+    void checkpoint(State& state, const PhaseTimes& phases);
     bool checkpoint_due() const;  // by this rank's clock
     void log_progress(const State& state, const StepReport& report, const PhaseTimes& phases);
     void log_ranks(const io::RankLoads& loads);

@@ -15,7 +15,7 @@ constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wi
 
 bool CandidateList::still_holds(const State& state, double time, const std::vector<double>& margin) const {
     const Bodies& bodies = state.bodies;
-    if (!valid_ || bodies.size() != ball_.size() || time > valid_until_) return false;
+    if (!valid_ || bodies.id != id_ || time > valid_until_) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const double room = slack_[i] - margin[i];
         const double dx = bodies.position[i].x() - ball_[i].x, dy = bodies.position[i].y() - ball_[i].y,
@@ -26,10 +26,10 @@ bool CandidateList::still_holds(const State& state, double time, const std::vect
 }
 
 bool CandidateList::bring(const Scene& scene, const State& state, double step, double time,
-                          const std::vector<double>& margin) {
+                          const std::vector<double>& margin, const Communicator& ranks) {
     place_walls(scene, time, state.time + 0.5 * step);
     margin_ = margin;
-    if (still_holds(state, time, margin)) return false;
+    if (!ranks.any(!still_holds(state, time, margin))) return false;
     const Bodies& bodies = state.bodies;
     const std::size_t n = bodies.size();
     ball_.resize(n);
@@ -40,11 +40,48 @@ bool CandidateList::bring(const Scene& scene, const State& state, double step, d
         const Vec3& x = bodies.position[i];
         ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
     }
+    id_ = bodies.id;
     rebuild_pairs(state);
     rebuild_walls(scene, state, step, time);
     valid_ = true;
     ++rebuilds_;
     return true;
+}
+
+void CandidateList::follow(const std::vector<BodyId>& id) {
+    if (!valid_ || id == id_) return;
+    if (!std::includes(id_.begin(), id_.end(), id.begin(), id.end())) {
+        valid_ = false;
+        return;
+    }
+    constexpr std::uint32_t kGone = 0xffffffffU;
+    std::vector<std::uint32_t> now(id_.size(), kGone);  // index of each body of the list
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < id_.size() && next < id.size(); ++i)
+        if (id_[i] == id[next]) now[i] = next++;
+    // what is kept moves down in the arrays, never up
+    std::size_t pairs = 0, walls = 0, begin = 0, wall_begin = 0;
+    for (std::size_t i = 0; i < id_.size(); ++i) {
+        const std::size_t end = partner_begin_[i + 1], wall_end = wall_begin_[i + 1];
+        if (now[i] != kGone) {
+            for (std::size_t k = begin; k < end; ++k)
+                if (now[partner_[k]] != kGone) partner_[pairs++] = now[partner_[k]];
+            for (std::size_t k = wall_begin; k < wall_end; ++k) wall_[walls++] = wall_[k];
+            ball_[now[i]] = ball_[i];
+            slack_[now[i]] = slack_[i];
+            partner_begin_[now[i] + 1] = pairs;
+            wall_begin_[now[i] + 1] = walls;
+        }
+        begin = end;
+        wall_begin = wall_end;
+    }
+    ball_.resize(id.size());
+    slack_.resize(id.size());
+    partner_begin_.resize(id.size() + 1);
+    wall_begin_.resize(id.size() + 1);
+    partner_.resize(pairs);
+    wall_.resize(walls);
+    id_ = id;
 }
 
 void CandidateList::rebuild_pairs(const State& state) {

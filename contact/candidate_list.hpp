@@ -12,6 +12,7 @@
 
 #include "contact/cell_grid.hpp"
 #include "contact/walls/wall_contact.hpp"
+#include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 
@@ -29,14 +30,18 @@ class CandidateList {
     // Makes sure that the list holds all that is within the margins [m], one a body, of the positions in state.bodies:
     // those of the middle of the step from state.time on, or those of its end. Walls stand where they are then.
     // Returns true if the list was made anew.
-    bool update(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
-        return bring(scene, state, step, state.time + 0.5 * step, margin);
+    // Collective: all ranks make it anew together, or each would wait for the others in turn.
+    bool update(const Scene& scene, const State& state, double step, const std::vector<double>& margin,
+                const Communicator& ranks = Communicator::self()) {
+        return bring(scene, state, step, state.time + 0.5 * step, margin, ranks);
     }
-    bool update_at_end(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
-        return bring(scene, state, step, state.time + step, margin);
+    bool update_at_end(const Scene& scene, const State& state, double step, const std::vector<double>& margin,
+                       const Communicator& ranks = Communicator::self()) {
+        return bring(scene, state, step, state.time + step, margin, ranks);
     }
-    // Forget the list: bodies came, went or changed places in the arrays.
-    void invalidate() { valid_ = false; }
+    // Bodies went, or changed places in the arrays in order of id: the list goes on with those that are left. If there
+    // are new ones it is forgotten.
+    void follow(const std::vector<BodyId>& id);
 
     // Partners j > i of body i, increasing; walls near body i, increasing.
     std::span<const std::uint32_t> partners(std::size_t i) const {
@@ -51,7 +56,8 @@ class CandidateList {
     std::size_t bytes() const;
 
   private:
-    bool bring(const Scene& scene, const State& state, double step, double time, const std::vector<double>& margin);
+    bool bring(const Scene& scene, const State& state, double step, double time, const std::vector<double>& margin,
+               const Communicator& ranks);
     void place_walls(const Scene& scene, double time, double present_at);
     bool still_holds(const State& state, double time, const std::vector<double>& margin) const;
     void rebuild_pairs(const State& state);
@@ -63,6 +69,7 @@ class CandidateList {
     std::vector<double> margin_;
     std::uint64_t rebuilds_ = 0;
     CellGrid grid_;
+    std::vector<BodyId> id_;     // n
     std::vector<Ball> ball_;     // n, where the list was made; radius r + s
     std::vector<double> slack_;  // [m] s, n
     std::vector<BodyPair> pair_, pair_scratch_;

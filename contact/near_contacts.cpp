@@ -70,7 +70,7 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
     const auto look = [&] {
         // every overlap is in the list as long as the list holds what touches
         push_.assign(state.bodies.size(), 0.0);
-        candidates.update_at_end(scene, state, step, push_);
+        candidates.update_at_end(scene, state, step, push_, domain.ranks());
         measure_gaps(scene, state, candidates);
         domain.halo().max_over_holders(push_);
         if (!domain.ranks().any(std::any_of(push_.begin(), push_.end(), [](double d) { return d > 0.0; }))) {
@@ -79,7 +79,7 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
         }
         for (int ring = 0; ring <= kRings; ++ring) {
             // a wider push needs a wider list; what is measured again is the same
-            if (candidates.update_at_end(scene, state, step, push_)) measure_gaps(scene, state, candidates);
+            if (candidates.update_at_end(scene, state, step, push_, domain.ranks())) measure_gaps(scene, state, candidates);
             list_near(state.bodies, candidates);
             if (ring == kRings) break;
             widen(state.bodies);
@@ -89,7 +89,7 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
     look();
     // pushes beyond what the halo covers: bodies are exchanged, and all is looked for again
     while (domain.cover(state, push_, step)) {
-        candidates.invalidate();
+        candidates.follow(state.bodies.id);
         look();
     }
     collect(scene, state, candidates, domain);

@@ -40,11 +40,7 @@ void ContactProblem<Law>::rebuild_lines() {
     if (!swept_) return;
     swept_ = false;
     free_lines();
-    ExactSum none;
-    full_.template over_blocks<true>(*layout_, exchange_, none, [&](std::uint32_t k) {
-        apply(full_.batch[k], full_.line.data());
-        return Pack::all(0.0);
-    });
+    full_.over_blocks(*layout_, exchange_, [&](std::uint32_t k) { apply(full_.batch[k], full_.line.data()); });
     if (exchange_ != nullptr) exchange_->spread(full_.line.data());
 }
 
@@ -98,8 +94,8 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
 template <class Law>
 void ContactProblem<Law>::scale(double floor) {
     ExactSum squares;
-    full_.template over_blocks<false>(*layout_, nullptr, squares,
-                                      [&](std::uint32_t k) { return drive(full_.batch[k], full_.line.data()); });
+    full_.sum_over_blocks(*layout_, nullptr, squares,
+                          [&](std::uint32_t k) { return drive(full_.batch[k], full_.line.data()); });
     const double sum = ranks_.sum(squares);
     double fastest = 0.0;
     for (std::size_t i = 0; i < full_.line.size(); ++i) {
@@ -126,8 +122,7 @@ void ContactProblem<Law>::scale(double floor) {
 
 template <class Law>
 void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std::vector<double>& normal) {
-    ExactSum none;
-    full_.template over_blocks<true>(*layout_, exchange_, none, [&](std::uint32_t k) {
+    full_.over_blocks(*layout_, exchange_, [&](std::uint32_t k) {
         Batch& batch = full_.batch[k];
         for (int i = 0; i < kLanes; ++i) {
             const std::uint32_t c = layout_->lanes()[k][static_cast<std::size_t>(i)];
@@ -138,7 +133,6 @@ void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std
                 batch.p[0][i] = normal[c];
         }
         apply(batch, full_.line.data());
-        return Pack::all(0.0);
     });
 }
 

@@ -9,6 +9,9 @@
 namespace scree::solvers {
 namespace {
 
+// The colour of a block by the parities of x, y (bits 0 and 1) and z. From colour to colour one parity changes, those
+// of x and y only twice in a sweep: blocks on either side of a cut between ranks take turns as seldom as can be.
+constexpr std::array<std::uint64_t, 8> kColour{0, 7, 3, 4, 1, 6, 2, 5};
 constexpr std::uint64_t kWideBodies = ~std::uint64_t{0};  // the block of those that fit into no block
 
 // The k-th of all positive numbers in increasing order, over all ranks: their bits order as they do.
@@ -64,7 +67,7 @@ void Layout::place(const contact::ContactSet& contacts, const Bodies& bodies, do
         const auto x = static_cast<std::uint64_t>(home_[c].block[0] - low[0]),
                    y = static_cast<std::uint64_t>(home_[c].block[1] - low[1]),
                    z = static_cast<std::uint64_t>(home_[c].block[2] - low[2]);
-        const std::uint64_t colour = (x & 1) | (y & 1) << 1 | (z & 1) << 2;
+        const std::uint64_t colour = kColour[(x & 1) | (y & 1) << 1 | (z & 1) << 2];
         const std::uint64_t key = (((colour << bits[2] | z) << bits[1] | y) << bits[0]) | x;
         placed_.push_back({home_[c].wide ? kWideBodies : key, c});
     }

@@ -10,9 +10,9 @@
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "core/step_report.hpp"
-#include "solvers/batch.hpp"
 #include "solvers/layout.hpp"
 #include "solvers/line_exchange.hpp"
+#include "solvers/sweeps.hpp"
 
 namespace scree::solvers {
 
@@ -43,8 +43,7 @@ class PositionCorrection {
     contact::NearContacts near_;
     Layout layout_;
     LineExchange exchange_;
-    LineVector<FrictionlessBatch> batch_;
-    LineVector<SlidingLine> line_;  // displacements [m]: ground, bodies
+    Sweeps<Frictionless, double> sweeps_;  // lines are displacements [m]
 };
 
 }  // namespace scree::solvers

@@ -121,19 +121,19 @@ void Stepper::Impl::start(State& state) {
     if (domain.started() || state.block_size == 0.0) return;
     contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
     domain.start(state, margin, scene.time.step);
-    std::visit([](auto& s) { s.bodies_changed(); }, substep);
+    std::visit([&state](auto& s) { s.bodies_changed(state); }, substep);
 }
 
 // Bodies to their ranks for the next step.
 void Stepper::Impl::settle(State& state, bool changed) {
-    if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
+    if (changed) std::visit([&state](auto& s) { s.bodies_changed(state); }, substep);
     if (domain.alone() || !domain.started()) return;
     contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
     const auto add_work = [this](std::vector<BlockWork>& work) {
         std::visit([&work](const auto& s) { s.add_work(work); }, substep);
     };
     if (domain.settle(state, margin, scene.time.step, add_work, changed))
-        std::visit([](auto& s) { s.bodies_changed(); }, substep);
+        std::visit([&state](auto& s) { s.bodies_changed(state); }, substep);
 }
 
 StepReport Stepper::Impl::advance(State& state) {
@@ -161,21 +161,6 @@ StepReport Stepper::Impl::advance(State& state) {
 
 void Stepper::start(State& state) {
     impl_->start(state);
-}
-
-WarmStart Stepper::own_impulses(const State& state) const {
-    const std::vector<std::uint8_t>& own = impl_->domain.halo().own_impulses();
-    const WarmStart& warm = state.warm_start;
-    if (impl_->domain.alone()) return warm;
-    WarmStart mine;
-    mine.step = warm.step;
-    for (std::size_t k = 0; k < warm.key.size(); ++k) {
-        if (k < own.size() && own[k] == 0) continue;
-        mine.key.push_back(warm.key[k]);
-        if (!warm.impulse_vector.empty()) mine.impulse_vector.push_back(warm.impulse_vector[k]);
-        if (!warm.impulse_normal.empty()) mine.impulse_normal.push_back(warm.impulse_normal[k]);
-    }
-    return mine;
 }
 
 RankReport Stepper::rank_report(const State& state) const {

@@ -46,9 +46,6 @@ class Stepper {
     const std::vector<WallLoad>& wall_loads() const;  // one a wall
     double last_step() const;                         // [s] length of the last scenario step
 
-    // Impulses of the last step that this rank solved, in order of key; over all ranks they are disjoint. For
-    // checkpoints.
-    WarmStart own_impulses(const State& state) const;
     // What this rank has and did so far, as a part of many.
     RankReport rank_report(const State& state) const;
 

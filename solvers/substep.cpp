@@ -68,10 +68,10 @@ template <class Law>
 void Substep<Law>::find_contacts(State& state, const contact::StepTimes& times) {
     contact::contact_margins(scene_, state, times, margin_, domain_.ranks());
     if (domain_.cover(state, margin_, times.step)) {
-        candidates_.invalidate();
+        candidates_.follow(state.bodies.id);
         contact::contact_margins(scene_, state, times, margin_, domain_.ranks());
     }
-    candidates_.update(scene_, state, times.step, margin_);
+    candidates_.update(scene_, state, times.step, margin_, domain_.ranks());
     contact::find_contacts(scene_, state, times, candidates_, domain_, contacts_);
 }
 
@@ -92,9 +92,25 @@ void Substep<Law>::set_up(State& state, const contact::StepTimes& times) {
     problem_.assemble(contacts_, layout_, state, times.step * gravity, wall_velocity_);
     problem_.scale(times.step * gravity.norm());
     if (plan_.warm_start && problem_.driven()) {
-        match_warm_start(contacts_, state.warm_start, times.step, Law::kImpulse == 3, impulse_, impulse_normal_);
+        start_impulses(state, times.step);
         problem_.warm_start(impulse_, impulse_normal_);
     }
+}
+
+// The last step's impulses, in impulse_ or impulse_normal_; contacts that are new get 0.
+template <class Law>
+void Substep<Law>::start_impulses(const State& state, double step) {
+    constexpr bool kFrictional = Law::kImpulse == 3;
+    if (kFrictional)
+        impulse_.assign(contacts_.size(), Vec3::Zero());
+    else
+        impulse_normal_.assign(contacts_.size(), 0.0);
+    unmatched_.clear();
+    match_warm_start(contacts_, state.warm_start, step, kFrictional, impulse_, impulse_normal_,
+                     domain_.alone() ? nullptr : &unmatched_);
+    if (domain_.alone()) return;
+    const WarmStart came = domain_.halo().pass_on(state.warm_start, unmatched_, state.bodies);
+    match_warm_start(contacts_, came, step, kFrictional, impulse_, impulse_normal_);
 }
 
 template <class Law>
@@ -140,7 +156,6 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
     keep_for_warm_start(contacts_, impulse_, impulse_normal_, times.step, state.warm_start);
     active_ = state.warm_start.key.size();
     report.active = ranks.sum(static_cast<std::uint64_t>(active_));
-    domain_.halo().share_impulses(state);
 }
 
 // Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work.

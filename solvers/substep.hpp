@@ -44,7 +44,7 @@ class Substep {
     // From state.time to state.time + step. Adds to the loads on the walls.
     StepReport advance(State& state, double step, std::vector<WallLoad>& loads);
     // Bodies came, went or changed ranks.
-    void bodies_changed() { candidates_.invalidate(); }
+    void bodies_changed(const State& state) { candidates_.follow(state.bodies.id); }
     const std::vector<ContactRecord>& records() const { return records_; }
     // Appends the work of this rank's blocks in the last step.
     void add_work(std::vector<BlockWork>& work) const;
@@ -56,6 +56,7 @@ class Substep {
   private:
     void find_contacts(State& state, const contact::StepTimes& times);
     void set_up(State& state, const contact::StepTimes& times);
+    void start_impulses(const State& state, double step);
     void keep_ledger(State& state, const contact::StepTimes& times, StepReport& report, std::vector<WallLoad>& loads);
     void load_walls(const State& state, std::span<ExactSum, 4> sums, std::vector<WallLoad>& loads);
     void make_records(const State& state, const contact::StepTimes& times);
@@ -71,11 +72,12 @@ class Substep {
     PositionCorrection correction_;
     std::vector<ExactSum> load_sums_;  // six a wall
     std::vector<std::uint64_t> load_contacts_;
-    std::size_t active_ = 0;              // contacts of this rank with an impulse
-    std::vector<double> margin_;          // [m], n
-    std::vector<Vec3> wall_velocity_;     // [m/s], one a contact; empty without moving walls
-    std::vector<Vec3> impulse_;           // [N s], one a contact (friction)
-    std::vector<double> impulse_normal_;  // [N s], one a contact (no friction)
+    std::size_t active_ = 0;                // contacts of this rank with an impulse
+    std::vector<double> margin_;            // [m], n
+    std::vector<Vec3> wall_velocity_;       // [m/s], one a contact; empty without moving walls
+    std::vector<Vec3> impulse_;             // [N s], one a contact (friction)
+    std::vector<double> impulse_normal_;    // [N s], one a contact (no friction)
+    std::vector<std::uint32_t> unmatched_;  // impulses of the last step without a contact here
     std::vector<ContactRecord> records_;
 };
 

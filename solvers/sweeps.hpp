@@ -49,27 +49,38 @@ struct Sweeps {
     LineVector<Impulse> previous;    // momentum: impulses before the last sweep; empty without acceleration
     LineVector<Line> line_previous;  // and the lines that belong to them
 
-    // Calls `per_batch` for each batch, phase by phase, and adds what it returns to `total`. With `kMoves`, lines of
-    // shared bodies travel after each phase. `order` is a Layout or made from one.
-    template <bool kMoves, class Order, class PerBatch>
-    void over_blocks(const Order& order, LineExchange* exchange, ExactSum& total, PerBatch per_batch) {
-        const auto run = [&](std::uint32_t from, std::uint32_t to) {
-            Numbers sum = Numbers::all(0);
+    // Calls work(from, to) for runs of blocks, phase by phase. Blocks at a border come first in each phase: their
+    // results travel while the others are worked on. `order` is a Layout or made from one.
+    template <class Order, class Work>
+    void by_phase(const Order& order, LineExchange* exchange, const Work& work) {
+        for (std::size_t phase = 0; phase < kPhases; ++phase) {
+            const Layout::PhaseBlocks& range = order.phase(phase);
+            if (exchange != nullptr) exchange->receive(phase, line.data());
+            work(range.begin, range.inner);
+            if (exchange != nullptr) exchange->send(phase, line.data());
+            work(range.inner, range.end);
+        }
+        if (exchange != nullptr) exchange->receive(LineExchange::kEnd, line.data());
+    }
+    // Calls `per_batch` for each batch. Lines of shared bodies travel if there is an exchange.
+    template <class Order, class PerBatch>
+    void over_blocks(const Order& order, LineExchange* exchange, const PerBatch& per_batch) {
+        by_phase(order, exchange, [&](std::uint32_t from, std::uint32_t to) {
+            for (std::uint32_t k = from; k < to; ++k)
+                for (std::uint32_t b = order.blocks()[k].begin; b < order.blocks()[k].end; ++b) per_batch(b);
+        });
+    }
+    // The same, and adds what it returns to `total`.
+    template <class Order, class PerBatch>
+    void sum_over_blocks(const Order& order, LineExchange* exchange, ExactSum& total, const PerBatch& per_batch) {
+        Numbers sum = Numbers::all(0);  // a block may go on from the border's run to the next one
+        by_phase(order, exchange, [&](std::uint32_t from, std::uint32_t to) {
             for (std::uint32_t k = from; k < to; ++k) {
                 const auto& block = order.blocks()[k];
                 for (std::uint32_t b = block.begin; b < block.end; ++b) sum = sum + per_batch(b);
                 close_blocks(total, sum, block);
             }
-        };
-        for (std::size_t phase = 0; phase < kPhases; ++phase) {
-            const Layout::PhaseBlocks& range = order.phase(phase);
-            run(range.begin, range.inner);
-            if constexpr (kMoves)
-                if (exchange != nullptr) exchange->send(phase, line.data());
-            run(range.inner, range.end);
-            if constexpr (kMoves)
-                if (exchange != nullptr) exchange->receive(phase, line.data());
-        }
+        });
     }
 
     void reset_momentum() {
@@ -86,12 +97,12 @@ struct Sweeps {
         const Numbers b = Numbers::all(static_cast<Real>(beta));
         if (momentum) {
             extrapolate(moving, static_cast<Real>(beta));
-            over_blocks<true>(order, exchange, squares, [&](std::uint32_t k) {
+            sum_over_blocks(order, exchange, squares, [&](std::uint32_t k) {
                 fetch(k + kFetchAhead);
                 return update<true>(batch[k], line.data(), previous[k].p, b);
             });
         } else {
-            over_blocks<true>(order, exchange, squares, [&](std::uint32_t k) {
+            sum_over_blocks(order, exchange, squares, [&](std::uint32_t k) {
                 fetch(k + kFetchAhead);
                 return update<false>(batch[k], line.data(), nullptr, b);
             });
@@ -102,7 +113,7 @@ struct Sweeps {
     template <class Order>
     double residual(const Order& order, ExactSum& squares) {
         Numbers largest = Numbers::all(0);
-        over_blocks<false>(order, nullptr, squares, [&](std::uint32_t k) {
+        sum_over_blocks(order, nullptr, squares, [&](std::uint32_t k) {
             const Numbers f = natural_map(batch[k], line.data());
             largest = max(largest, f);
             return f;

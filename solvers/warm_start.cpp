@@ -3,23 +3,25 @@
 namespace scree::solvers {
 
 void match_warm_start(const contact::ContactSet& contacts, const WarmStart& last, double step, bool frictional,
-                      std::vector<Vec3>& impulse, std::vector<double>& normal) {
+                      std::vector<Vec3>& impulse, std::vector<double>& normal, std::vector<std::uint32_t>* unmatched) {
     const double ratio = last.step > 0.0 ? step / last.step : 1.0;
-    if (frictional)
-        impulse.assign(contacts.size(), Vec3::Zero());
-    else
-        normal.assign(contacts.size(), 0.0);
+    const std::size_t count = last.key.size();
     std::size_t k = 0;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-        while (k < last.key.size() && last.key[k] < contacts[c].key) ++k;
-        if (k == last.key.size()) return;
-        if (last.key[k] != contacts[c].key) continue;
+    const auto skip = [&] {
+        if (unmatched != nullptr) unmatched->push_back(static_cast<std::uint32_t>(k));
+        ++k;
+    };
+    for (std::size_t c = 0; c < contacts.size() && k < count; ++c) {
+        while (k < count && last.key[k] < contacts[c].key) skip();
+        if (k == count || last.key[k] != contacts[c].key) continue;
         if (!frictional) {
             normal[c] = ratio * last.impulse_normal[k];
         } else if (last.impulse_vector[k].dot(contacts[c].normal) > 0.0) {
             impulse[c] = ratio * last.impulse_vector[k];
         }
+        ++k;
     }
+    while (k < count) skip();
 }
 
 void keep_for_warm_start(const contact::ContactSet& contacts, const std::vector<Vec3>& impulse,

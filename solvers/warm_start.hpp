@@ -1,6 +1,7 @@
 // Impulses of the last step for the contacts of this one, matched by key.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "contact/contact_set.hpp"
@@ -9,9 +10,11 @@
 namespace scree::solvers {
 
 // Both lists are in order of key. A vector impulse is kept as far as it pushes along the new normal; impulses scale
-// with the length of the step. Fills `impulse` (frictional) or `normal` (frictionless); contacts that are new get 0.
+// with the length of the step. Sets `impulse` (frictional) or `normal` (frictionless), one a contact, where there was
+// one; the others stay. `unmatched`: takes the indices of those in `last` that have no contact.
 void match_warm_start(const contact::ContactSet& contacts, const WarmStart& last, double step, bool frictional,
-                      std::vector<Vec3>& impulse, std::vector<double>& normal);
+                      std::vector<Vec3>& impulse, std::vector<double>& normal,
+                      std::vector<std::uint32_t>* unmatched = nullptr);
 
 // Keeps the non-zero impulses of this step for the next one.
 void keep_for_warm_start(const contact::ContactSet& contacts, const std::vector<Vec3>& impulse,

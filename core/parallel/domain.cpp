@@ -39,7 +39,9 @@ bool Domain::cover(State& state, const std::vector<double>& margin, double step)
 
 bool Domain::settle(State& state, const std::vector<double>& margin, double step, const AddWork& add_work,
                     bool changed) {
-    if (alone() || !ranks_.any(changed || !halo_.holds(state, margin, 0.5 * step))) return false;
+    if (alone()) return false;
+    const bool held = !changed || halo_.follow(state.bodies);
+    if (!ranks_.any(!held || !halo_.holds(state, margin, 0.5 * step))) return false;
     balance(state, add_work);
     halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
     return true;

@@ -26,8 +26,10 @@ void Halo::rebuild(const Partition& partition, const Settings& settings, const s
                    State& state) {
     if (ranks_.alone()) return;
     ++rebuilds_;
+    partition_ = &partition;
+    settings_ = settings;
     Bodies& bodies = state.bodies;
-    follow(bodies);
+    keep_holders(bodies);
     double most = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!bodies.is_ghost(i)) most = std::max(most, margin[i]);
@@ -39,8 +41,9 @@ void Halo::rebuild(const Partition& partition, const Settings& settings, const s
     const bool spin = ranks_.any(bodies.has_spin()), orientation = ranks_.any(bodies.has_orientation());
     std::vector<BodyMessage> now = decide(partition, settings, bodies, room);
     exchange(bodies, now, spin, orientation);
+    const std::vector<BodyId> before = bodies.id;
     lay_out(now, spin, orientation, bodies);
-    forward_impulses(state, now);
+    forward_impulses(state, partition, settings.block_size, now, before, rebuilds_ == 1);
     index_neighbours();
 }
 
@@ -63,6 +66,7 @@ std::vector<Halo::WideBall> Halo::gather_wide(const Bodies& bodies, const Settin
 std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings& settings, const Bodies& bodies,
                                       const std::vector<double>& room) {
     const std::vector<WideBall> wide = gather_wide(bodies, settings, room);
+    any_wide_ = !wide.empty();
     const auto near_wide = [&](const Vec3& x, double reach) {  // a wide body is near itself
         return std::any_of(wide.begin(), wide.end(), [&](const WideBall& w) {
             const double far = reach + w.radius;
@@ -71,7 +75,7 @@ std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings
     };
     std::vector<BodyMessage> now;
     now.reserve(bodies.size());
-    std::vector<int> holders;
+    std::vector<int>& holders = holders_;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
         const Vec3& x = bodies.position[i];
@@ -149,7 +153,7 @@ void Halo::lay_out(std::vector<BodyMessage>& now, bool spin, bool orientation, B
 }
 
 // Bodies came or went since the halo was made: who holds the others is known by their ids.
-void Halo::follow(const Bodies& bodies) {
+void Halo::keep_holders(const Bodies& bodies) {
     if (bodies.id == id_) return;
     std::vector<std::vector<int>> other(bodies.size());
     std::size_t k = 0;
@@ -158,6 +162,23 @@ void Halo::follow(const Bodies& bodies) {
         if (k < id_.size() && id_[k] == bodies.id[i]) other[i] = std::move(other_[k]);
     }
     other_ = std::move(other);
+}
+
+bool Halo::follow(const Bodies& bodies) {
+    if (ranks_.alone() || bodies.id == id_) return true;
+    if (!std::includes(id_.begin(), id_.end(), bodies.id.begin(), bodies.id.end())) return false;
+    keep_holders(bodies);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i, ++k) {
+        while (id_[k] != bodies.id[i]) ++k;
+        place_[i] = place_[k];
+        room_[i] = room_[k];
+    }
+    place_.resize(bodies.size());
+    room_.resize(bodies.size());
+    id_ = bodies.id;
+    index_neighbours();
+    return true;
 }
 
 void Halo::index_neighbours() {
@@ -176,14 +197,33 @@ void Halo::index_neighbours() {
     }
 }
 
-bool Halo::holds(const State& state, const std::vector<double>& margin, double step_ahead) const {
+// New room for a body where it is now, if all that own a block in it hold the body.
+bool Halo::renew(std::size_t i, const Bodies& bodies, double margin, double ahead) {
+    const double speed = bodies.velocity[i].norm(), r = bodies.radius[i];
+    const double room = room_to_move(r, speed, settings_.step, margin), reach = r + room + most_margin_;
+    if (room < margin + ahead * speed || (any_wide_ && ranks_.rank() != kWideRank)) return false;
+    const Vec3& x = bodies.position[i];
+    const Vec3 corner = Vec3::Constant(reach);
+    std::vector<int>& needed = holders_;
+    needed.clear();
+    partition_->owners(block_of(x - corner, settings_.block_size), block_of(x + corner, settings_.block_size), needed);
+    for (const int rank : needed)
+        if (rank != ranks_.rank() && !std::binary_search(other_[i].begin(), other_[i].end(), rank)) return false;
+    place_[i] = x;
+    room_[i] = room;
+    return true;
+}
+
+bool Halo::holds(const State& state, const std::vector<double>& margin, double ahead) {
     if (ranks_.alone()) return true;
     const Bodies& bodies = state.bodies;
     if (bodies.size() != place_.size()) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
-        const double left = room_[i] - margin[i] - step_ahead * bodies.velocity[i].norm();
-        if (margin[i] > most_margin_ || left < 0.0 || (bodies.position[i] - place_[i]).squaredNorm() > left * left)
+        if (margin[i] > most_margin_) return false;
+        const double left = room_[i] - margin[i] - ahead * bodies.velocity[i].norm();
+        if ((left < 0.0 || (bodies.position[i] - place_[i]).squaredNorm() > left * left) &&
+            !renew(i, bodies, margin[i], ahead))
             return false;
     }
     return true;
@@ -206,7 +246,7 @@ void Halo::max_over_holders(std::vector<double>& value) {
 
 std::size_t Halo::bytes() const {
     std::size_t sum = other_.capacity() * sizeof(other_[0]) + shared_.capacity() + place_.capacity() * sizeof(Vec3) +
-                      (room_.capacity() + id_.capacity()) * 8 + own_impulse_.capacity();
+                      (room_.capacity() + id_.capacity()) * 8;
     for (const auto& list : other_) sum += list.capacity() * sizeof(int);
     for (const Neighbour& k : neighbour_) sum += k.shared.capacity() * 4;
     return sum;

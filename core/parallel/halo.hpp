@@ -5,7 +5,8 @@
 //
 // A body may reach a block within  r_i + s_i + e  of its centre, where s_i is room to move and e the farthest that half
 // a gap can lie off a body. The halo holds as long as |x_i - x_i(then)| + m_i <= s_i and m_i <= e for every body, m_i
-// the margin within which contacts are looked for.
+// the margin within which contacts are looked for. A body that leaves its room, but comes no nearer to ranks that do
+// not hold it, gets new room where it is: most do.
 //
 // Bodies too wide for a block have their contacts with rank 0, which holds them and all that is near them: they are
 // meant to be few.
@@ -43,9 +44,12 @@ class Halo {
         bool migrate;
     };
     void rebuild(const Partition& partition, const Settings& settings, const std::vector<double>& margin, State& state);
-    // Whether every body of this rank is still within its reach, also after moving on for `step_ahead` [s]; not
+    // Bodies went: those that are left keep their holders. False if there are new ones. Not collective; after it, the
+    // indices of bodies are those of now.
+    bool follow(const Bodies& bodies);
+    // Whether the ranks that hold a body of this rank are still enough, also after it has moved on for `ahead` [s]. Not
     // collective.
-    bool holds(const State& state, const std::vector<double>& margin, double step_ahead) const;
+    bool holds(const State& state, const std::vector<double>& margin, double ahead);
 
     // Another rank that holds bodies of this one, and which: indices into state.bodies, in order of id, the same list
     // on both sides.
@@ -61,10 +65,9 @@ class Halo {
 
     // The largest of the values [one a body] that any holder of a body has; messages to neighbours.
     void max_over_holders(std::vector<double>& value);
-    // The impulses that this rank solved, of contacts both of whose bodies another rank holds, go to it; `mine` marks
-    // this rank's own in state.warm_start.
-    void share_impulses(State& state);
-    const std::vector<std::uint8_t>& own_impulses() const { return own_impulse_; }
+    // `which` of the impulses go to the neighbours that hold both bodies: this rank has no contact for them any more,
+    // and a neighbour may have. Returns those that came, in order of key. Messages to neighbours.
+    WarmStart pass_on(const WarmStart& impulses, std::span<const std::uint32_t> which, const Bodies& bodies);
 
     std::uint64_t rebuilds() const { return rebuilds_; }
     std::uint64_t migrated() const { return migrated_; }  // bodies that this rank gave away
@@ -76,7 +79,8 @@ class Halo {
     struct WideBall {
         double x, y, z, radius;
     };
-    void follow(const Bodies& bodies);
+    void keep_holders(const Bodies& bodies);
+    bool renew(std::size_t i, const Bodies& bodies, double margin, double ahead);
     std::vector<WideBall> gather_wide(const Bodies& bodies, const Settings& settings,
                                       const std::vector<double>& room) const;
     std::vector<BodyMessage> decide(const Partition& partition, const Settings& settings, const Bodies& bodies,
@@ -84,19 +88,24 @@ class Halo {
     void exchange(const Bodies& bodies, std::vector<BodyMessage>& bodies_now, bool spin, bool orientation);
     void lay_out(std::vector<BodyMessage>& bodies_now, bool spin, bool orientation, Bodies& bodies);
     void index_neighbours();
-    void forward_impulses(State& state, const std::vector<BodyMessage>& bodies_now);
-    void merge_impulses(State& state, std::vector<Communicator::Message>& incoming, bool of_local_bodies);
+    bool takes_impulse(const ContactKey& key, const Bodies& bodies, const Partition& partition,
+                       double block_size) const;
+    void forward_impulses(State& state, const Partition& partition, double block_size,
+                          const std::vector<BodyMessage>& bodies_now, const std::vector<BodyId>& before, bool first);
 
     const Communicator& ranks_;
+    const Partition* partition_ = nullptr;  // by which the halo was made
+    Settings settings_{};
+    bool any_wide_ = false;                // bodies wider than a block
     std::vector<BodyId> id_;               // of the bodies when the halo was made
     std::vector<std::vector<int>> other_;  // other holders of each body, n; empty for most
     std::vector<std::uint8_t> shared_;     // n, or empty with one rank
     std::vector<Neighbour> neighbour_;
     std::vector<int> neighbour_rank_;
-    std::vector<Vec3> place_;                // [m] n: where the bodies were when the halo was made
-    std::vector<double> room_;               // [m] s, n
-    double most_margin_ = 0.0;               // [m] e
-    std::vector<std::uint8_t> own_impulse_;  // one an impulse of state.warm_start: solved here
+    std::vector<Vec3> place_;   // [m] n: where the bodies were when the halo was made
+    std::vector<double> room_;  // [m] s, n
+    double most_margin_ = 0.0;  // [m] e
+    std::vector<int> holders_;  // scratch
     std::uint64_t rebuilds_ = 0, migrated_ = 0;
     Traffic traffic_;
 };

@@ -1,7 +1,9 @@
-// Impulses of the last step follow the contacts: each rank keeps those that it solved, and copies of those that it may
-// have to solve next.
+// Impulses of the last step follow the contacts. Each is kept by one rank, the one that solved it, as long as that rank
+// holds both bodies; when another rank solves the contact in the next step, the impulse is passed on then.
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <optional>
 
 #include "core/parallel/halo.hpp"
 
@@ -16,6 +18,7 @@ struct ImpulseMessage {
 };
 
 void put_impulse(Packer& packer, const WarmStart& warm, std::size_t k) {
+    if (packer.bytes.empty()) packer.put(static_cast<std::uint64_t>(warm.impulse_vector.empty() ? 0 : 1));
     ImpulseMessage m{warm.key[k].a, warm.key[k].b, warm.key[k].feature, {0.0, 0.0, 0.0}};
     if (!warm.impulse_vector.empty())
         for (int d = 0; d < 3; ++d) m.p[d] = warm.impulse_vector[k][d];
@@ -24,127 +27,122 @@ void put_impulse(Packer& packer, const WarmStart& warm, std::size_t k) {
     packer.put(m);
 }
 
-// Takes the impulses in order of key: `order` says where each comes from.
+void add_impulses(std::span<const std::byte> bytes, WarmStart& warm) {
+    Unpacker unpacker(bytes);
+    if (unpacker.empty()) return;
+    const bool vectors = unpacker.get<std::uint64_t>() != 0;
+    while (!unpacker.empty()) {
+        const auto m = unpacker.get<ImpulseMessage>();
+        warm.key.push_back({m.a, m.b, static_cast<std::uint32_t>(m.feature)});
+        if (vectors)
+            warm.impulse_vector.emplace_back(m.p[0], m.p[1], m.p[2]);
+        else
+            warm.impulse_normal.push_back(m.p[0]);
+    }
+}
+
 template <class T>
-void reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+void take_in_order(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
     if (values.empty()) return;
-    std::vector<T> sorted;
-    sorted.reserve(order.size());
-    for (const std::uint32_t k : order) sorted.push_back(values[k]);
-    values = std::move(sorted);
+    std::vector<T> taken;
+    taken.reserve(order.size());
+    for (const std::uint32_t k : order) taken.push_back(values[k]);
+    values = std::move(taken);
+}
+
+// Those for which `keep` says so, in order of key.
+template <class Keep>
+void keep_sorted(WarmStart& warm, const Keep& keep) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t k = 0; k < warm.key.size(); ++k)
+        if (keep(k)) order.push_back(k);
+    const auto by_key = [&](std::uint32_t x, std::uint32_t y) { return warm.key[x] < warm.key[y]; };
+    if (!std::is_sorted(order.begin(), order.end(), by_key)) std::sort(order.begin(), order.end(), by_key);
+    take_in_order(warm.impulse_vector, order);
+    take_in_order(warm.impulse_normal, order);
+    take_in_order(warm.key, order);
+    if (order.empty()) warm.key.clear();
+}
+
+std::optional<std::size_t> index_of(const std::vector<BodyId>& ids, std::uint64_t id) {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), BodyId{id});
+    if (at == ids.end() || raw(*at) != id) return std::nullopt;
+    return static_cast<std::size_t>(at - ids.begin());
+}
+bool holds_both(const std::vector<BodyId>& ids, const ContactKey& key) {
+    return index_of(ids, key.a) && (key.is_wall() || index_of(ids, key.b));
 }
 
 }  // namespace
 
-// `of_local_bodies`: drop those whose bodies are not both here.
-void Halo::merge_impulses(State& state, std::vector<Communicator::Message>& incoming, bool of_local_bodies) {
-    WarmStart& warm = state.warm_start;
-    const std::vector<BodyId>& id = state.bodies.id;
-    const auto here = [&](std::uint64_t body) { return std::binary_search(id.begin(), id.end(), BodyId{body}); };
-    const std::size_t before = warm.key.size();
-    for (const auto& message : incoming) {
-        Unpacker unpacker(message.bytes);
-        if (unpacker.empty()) continue;
-        const bool vectors = unpacker.get<std::uint8_t>() != 0;
-        warm.step = unpacker.get<double>();
-        while (!unpacker.empty()) {
-            const auto m = unpacker.get<ImpulseMessage>();
-            const ContactKey key{m.a, m.b, static_cast<std::uint32_t>(m.feature)};
-            if (of_local_bodies && !(here(key.a) && (key.is_wall() || here(key.b)))) continue;
-            warm.key.push_back(key);
-            if (vectors)
-                warm.impulse_vector.push_back(Vec3(m.p[0], m.p[1], m.p[2]));
-            else
-                warm.impulse_normal.push_back(m.p[0]);
-            own_impulse_.push_back(0);
-        }
-    }
-    if (warm.key.size() == before) return;
-    // the new ones in order, then merged with the old ones, which are
-    std::vector<std::uint32_t> order(warm.key.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto middle = order.begin() + static_cast<std::ptrdiff_t>(before);
-    const auto by_key = [&](std::uint32_t a, std::uint32_t b) { return warm.key[a] < warm.key[b]; };
-    std::sort(middle, order.end(), by_key);
-    std::inplace_merge(order.begin(), middle, order.end(), by_key);
-    reorder(warm.key, order);
-    reorder(warm.impulse_vector, order);
-    reorder(warm.impulse_normal, order);
-    reorder(own_impulse_, order);
+// Of several ranks that hold both bodies one takes the impulse: the owner of the block between them.
+bool Halo::takes_impulse(const ContactKey& key, const Bodies& bodies, const Partition& partition,
+                         double block_size) const {
+    const auto a = index_of(bodies.id, key.a);
+    if (!a) return false;
+    if (key.is_wall()) return !bodies.is_ghost(*a);
+    const auto b = index_of(bodies.id, key.b);
+    if (!b) return false;
+    const double share = bodies.radius[*a] / (bodies.radius[*a] + bodies.radius[*b]);
+    const Vec3 point = bodies.position[*a] + share * (bodies.position[*b] - bodies.position[*a]);
+    return partition.owner(block_of(point, block_size)) == ranks_.rank();
 }
 
-// Impulses follow body a.
-void Halo::forward_impulses(State& state, const std::vector<BodyMessage>& now) {
+// `now`: the bodies of which this rank knows who holds them; `before`: those that it held. At first an impulse lies
+// with body a, wherever body b is.
+void Halo::forward_impulses(State& state, const Partition& partition, double block_size,
+                            const std::vector<BodyMessage>& now, const std::vector<BodyId>& before, bool first) {
     WarmStart& warm = state.warm_start;
-    own_impulse_.resize(warm.key.size(), 1);  // before the first step all of them are this rank's
+    const std::vector<BodyId>& here = state.bodies.id;
+    std::vector<BodyId> left;  // bodies that this rank no longer holds
+    std::set_difference(before.begin(), before.end(), here.begin(), here.end(), std::back_inserter(left));
     Outbox out;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < warm.key.size(); ++k) {
-        if (own_impulse_[k] == 0) continue;  // its owner sends it again to who needs it
-        const auto at = std::lower_bound(now.begin(), now.end(), warm.key[k].a,
-                                         [](const BodyMessage& body, std::uint64_t id) { return body.id < id; });
-        if (at != now.end() && at->id == warm.key[k].a) {
-            const std::vector<int> alone{at->owner};
-            for (const int rank : at->holders.empty() ? alone : at->holders) {
-                if (rank == ranks_.rank()) continue;
-                Packer& packer = out[rank];
-                if (packer.bytes.empty()) {
-                    packer.put(static_cast<std::uint8_t>(warm.impulse_vector.empty() ? 0 : 1));
-                    packer.put(warm.step);
-                }
-                put_impulse(packer, warm, k);
-            }
-        }
-        warm.key[kept] = warm.key[k];
-        if (!warm.impulse_vector.empty()) warm.impulse_vector[kept] = warm.impulse_vector[k];
-        if (!warm.impulse_normal.empty()) warm.impulse_normal[kept] = warm.impulse_normal[k];
-        ++kept;
-    }
-    warm.key.resize(kept);
-    if (!warm.impulse_vector.empty()) warm.impulse_vector.resize(kept);
-    if (!warm.impulse_normal.empty()) warm.impulse_normal.resize(kept);
-    own_impulse_.assign(kept, 1);
-    auto incoming = ranks_.exchange(out.take());
-    merge_impulses(state, incoming, true);
-    const double step = ranks_.max(warm.step);  // of ranks without a contact too
-    warm.step = step;
-}
-
-void Halo::share_impulses(State& state) {
-    WarmStart& warm = state.warm_start;
-    own_impulse_.assign(ranks_.alone() ? 0 : warm.key.size(), 1);
-    if (neighbour_.empty()) return;
-    // those between bodies that a neighbour holds too
-    std::vector<std::vector<std::byte>> out(neighbour_.size());
-    const std::vector<BodyId>& id = state.bodies.id;
-    std::vector<Packer> packer(neighbour_.size());
-    std::size_t body = 0;
+    std::vector<std::uint8_t> goes(warm.key.size(), 0);
     for (std::size_t k = 0; k < warm.key.size(); ++k) {
         const ContactKey& key = warm.key[k];
-        while (raw(id[body]) < key.a) ++body;  // keys are in order of their first body
-        if (shared_[body] == 0) continue;
-        std::size_t other = body;
-        if (!key.is_wall()) {
-            const auto at = std::lower_bound(id.begin(), id.end(), BodyId{key.b});
-            other = static_cast<std::size_t>(at - id.begin());
-            if (shared_[other] == 0) continue;
-        }
-        for (const int rank : other_[body]) {
-            if (std::find(other_[other].begin(), other_[other].end(), rank) == other_[other].end()) continue;
+        if (first ? holds_both(here, key) : !index_of(left, key.a) && (key.is_wall() || !index_of(left, key.b)))
+            continue;
+        const auto at = std::lower_bound(now.begin(), now.end(), key.a,
+                                         [](const BodyMessage& body, std::uint64_t id) { return body.id < id; });
+        if (at == now.end() || at->id != key.a) continue;
+        goes[k] = 1;
+        const std::vector<int> alone{at->owner};
+        for (const int rank : at->holders.empty() ? alone : at->holders)
+            if (rank != ranks_.rank()) put_impulse(out[rank], warm, k);
+    }
+    WarmStart came;
+    for (const Communicator::Message& message : ranks_.exchange(out.take())) add_impulses(message.bytes, came);
+    if (came.key.empty() && std::find(goes.begin(), goes.end(), 1) == goes.end()) return;
+    const std::size_t own = warm.key.size();
+    warm.key.insert(warm.key.end(), came.key.begin(), came.key.end());
+    warm.impulse_vector.insert(warm.impulse_vector.end(), came.impulse_vector.begin(), came.impulse_vector.end());
+    warm.impulse_normal.insert(warm.impulse_normal.end(), came.impulse_normal.begin(), came.impulse_normal.end());
+    keep_sorted(warm, [&](std::uint32_t k) {
+        return k < own ? goes[k] == 0 : takes_impulse(warm.key[k], state.bodies, partition, block_size);
+    });
+}
+
+WarmStart Halo::pass_on(const WarmStart& warm, std::span<const std::uint32_t> which, const Bodies& bodies) {
+    WarmStart came;
+    came.step = warm.step;
+    if (neighbour_.empty()) return came;
+    std::vector<Packer> packer(neighbour_.size());
+    for (const std::uint32_t k : which) {
+        const auto a = index_of(bodies.id, warm.key[k].a);
+        if (!a || !shared(*a)) continue;
+        const auto b = warm.key[k].is_wall() ? a : index_of(bodies.id, warm.key[k].b);
+        if (!b || !shared(*b)) continue;
+        for (const int rank : other_[*a]) {
+            if (!std::binary_search(other_[*b].begin(), other_[*b].end(), rank)) continue;
             const auto at = std::lower_bound(neighbour_rank_.begin(), neighbour_rank_.end(), rank);
-            Packer& p = packer[static_cast<std::size_t>(at - neighbour_rank_.begin())];
-            if (p.bytes.empty()) {
-                p.put(static_cast<std::uint8_t>(warm.impulse_vector.empty() ? 0 : 1));
-                p.put(warm.step);
-            }
-            put_impulse(p, warm, k);
+            put_impulse(packer[static_cast<std::size_t>(at - neighbour_rank_.begin())], warm, k);
         }
     }
-    for (std::size_t k = 0; k < out.size(); ++k) out[k] = std::move(packer[k].bytes);
-    auto in = swap(ranks_, neighbour_rank_, out, traffic_);
-    std::vector<Communicator::Message> incoming;
-    for (std::size_t k = 0; k < in.size(); ++k) incoming.push_back({neighbour_rank_[k], std::move(in[k])});
-    merge_impulses(state, incoming, false);
+    std::vector<std::vector<std::byte>> out;
+    for (Packer& p : packer) out.push_back(std::move(p.bytes));
+    for (const std::vector<std::byte>& bytes : swap(ranks_, neighbour_rank_, out, traffic_)) add_impulses(bytes, came);
+    keep_sorted(came, [](std::uint32_t) { return true; });
+    return came;
 }
 
 }  // namespace scree

@@ -8,7 +8,7 @@ namespace scree {
 namespace {
 
 constexpr int kSwapTag = 8;
-constexpr int kPhaseTag = 16;  // and those after it, one a phase
+constexpr int kRepeatedTag = 16;  // and those after it
 
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) {
@@ -45,93 +45,67 @@ std::vector<std::vector<std::byte>> swap(const Communicator& ranks, std::span<co
     return incoming;
 }
 
-struct PhasedExchange::Impl {
-    struct Message {
-        int rank;
-        std::size_t neighbour;
+struct RepeatedMessages::Impl {
+    struct Buffer {
+        int rank = 0, tag = 0;
         std::vector<std::byte> bytes;
         MPI_Request request = MPI_REQUEST_NULL;
     };
-    struct Phase {
-        std::vector<Message> out, in;  // those that are not empty
-    };
     MPI_Comm comm = MPI_COMM_NULL;
-    std::vector<Phase> phase;
+    std::vector<Buffer> out, in;  // keep what they have allocated
+    std::size_t out_count = 0;
     Traffic traffic;
 
-    static Message* find(std::vector<Message>& messages, std::size_t neighbour) {
-        for (Message& m : messages)
-            if (m.neighbour == neighbour) return &m;
-        return nullptr;
+    static void lay_out(std::vector<Buffer>& buffers, std::span<const Message> messages) {
+        if (buffers.size() < messages.size()) buffers.resize(messages.size());
+        for (std::size_t k = 0; k < messages.size(); ++k) {
+            buffers[k].rank = messages[k].rank;
+            buffers[k].tag = kRepeatedTag + messages[k].tag;
+            buffers[k].bytes.resize(messages[k].bytes);
+        }
     }
 };
 
-PhasedExchange::PhasedExchange() : impl_(std::make_unique<Impl>()) {}
-PhasedExchange::~PhasedExchange() = default;
-PhasedExchange::PhasedExchange(PhasedExchange&&) noexcept = default;
-PhasedExchange& PhasedExchange::operator=(PhasedExchange&&) noexcept = default;
+RepeatedMessages::RepeatedMessages() : impl_(std::make_unique<Impl>()) {}
+RepeatedMessages::~RepeatedMessages() = default;
+RepeatedMessages::RepeatedMessages(RepeatedMessages&&) noexcept = default;
+RepeatedMessages& RepeatedMessages::operator=(RepeatedMessages&&) noexcept = default;
 
-void PhasedExchange::set_up(const Communicator& ranks, std::span<const int> neighbours,
-                            const std::vector<std::vector<std::size_t>>& outgoing,
-                            const std::vector<std::vector<std::size_t>>& incoming) {
+void RepeatedMessages::set_up(const Communicator& ranks, std::span<const Message> outgoing,
+                              std::span<const Message> incoming) {
     finish();
-    if (!neighbours.empty()) impl_->comm = *static_cast<const MPI_Comm*>(ranks.handle());
-    impl_->phase.resize(outgoing.size());
-    const auto make = [&](std::vector<Impl::Message>& messages, const std::vector<std::size_t>& sizes) {
-        std::size_t used = 0;
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            if (sizes[k] == 0) continue;
-            if (used == messages.size()) messages.emplace_back();
-            Impl::Message& m = messages[used++];  // keeps what it has allocated
-            m.rank = neighbours[k];
-            m.neighbour = k;
-            m.bytes.resize(sizes[k]);
-        }
-        messages.resize(used);
-    };
-    for (std::size_t f = 0; f < outgoing.size(); ++f) {
-        make(impl_->phase[f].out, outgoing[f]);
-        make(impl_->phase[f].in, incoming[f]);
-    }
+    if (ranks.handle() != nullptr) impl_->comm = *static_cast<const MPI_Comm*>(ranks.handle());
+    Impl::lay_out(impl_->out, outgoing);
+    Impl::lay_out(impl_->in, incoming);
+    impl_->out_count = outgoing.size();
 }
 
-std::span<std::byte> PhasedExchange::outgoing(std::size_t phase, std::size_t neighbour) {
-    Impl::Message* m = Impl::find(impl_->phase[phase].out, neighbour);
-    if (m == nullptr) return {};
-    MPI_Wait(&m->request, MPI_STATUS_IGNORE);
-    return m->bytes;
+std::byte* RepeatedMessages::outgoing(std::size_t k) {
+    Impl::Buffer& buffer = impl_->out[k];
+    if (buffer.request != MPI_REQUEST_NULL) MPI_Wait(&buffer.request, MPI_STATUS_IGNORE);
+    return buffer.bytes.data();
 }
 
-std::span<const std::byte> PhasedExchange::incoming(std::size_t phase, std::size_t neighbour) const {
-    const Impl::Message* m = Impl::find(impl_->phase[phase].in, neighbour);
-    if (m == nullptr) return {};
-    return m->bytes;
+void RepeatedMessages::send(std::size_t k, std::size_t bytes) {
+    Impl::Buffer& buffer = impl_->out[k];
+    MPI_Isend(buffer.bytes.data(), as_int(bytes), MPI_BYTE, buffer.rank, buffer.tag, impl_->comm, &buffer.request);
+    ++impl_->traffic.messages;
+    impl_->traffic.bytes += bytes;
 }
 
-void PhasedExchange::send(std::size_t phase) {
-    for (Impl::Message& m : impl_->phase[phase].out) {
-        MPI_Isend(m.bytes.data(), as_int(m.bytes.size()), MPI_BYTE, m.rank, kPhaseTag + as_int(phase), impl_->comm,
-                  &m.request);
-        ++impl_->traffic.messages;
-        impl_->traffic.bytes += m.bytes.size();
-    }
-}
-
-void PhasedExchange::receive(std::size_t phase) {
-    if (impl_->phase[phase].in.empty()) return;
+const std::byte* RepeatedMessages::receive(std::size_t k, std::size_t bytes) {
+    Impl::Buffer& buffer = impl_->in[k];
     const auto begin = Clock::now();
-    for (Impl::Message& m : impl_->phase[phase].in)
-        MPI_Recv(m.bytes.data(), as_int(m.bytes.size()), MPI_BYTE, m.rank, kPhaseTag + as_int(phase), impl_->comm,
-                 MPI_STATUS_IGNORE);
+    MPI_Recv(buffer.bytes.data(), as_int(bytes), MPI_BYTE, buffer.rank, buffer.tag, impl_->comm, MPI_STATUS_IGNORE);
     impl_->traffic.wait_seconds += since(begin);
+    return buffer.bytes.data();
 }
 
-void PhasedExchange::finish() {
-    for (Impl::Phase& phase : impl_->phase)
-        for (Impl::Message& m : phase.out) MPI_Wait(&m.request, MPI_STATUS_IGNORE);
+void RepeatedMessages::finish() {
+    for (std::size_t k = 0; k < impl_->out_count; ++k) outgoing(k);
 }
 
-Traffic& PhasedExchange::traffic() {
+Traffic& RepeatedMessages::traffic() {
     return impl_->traffic;
 }
 

@@ -21,24 +21,27 @@ struct Traffic {
 std::vector<std::vector<std::byte>> swap(const Communicator& ranks, std::span<const int> neighbours,
                                          const std::vector<std::vector<std::byte>>& outgoing, Traffic& traffic);
 
-// The same messages again and again, in phases: their sizes are known to both sides. send() returns at once; work done
-// before receive() of the same phase hides the transfer.
-class PhasedExchange {
+// The same messages again and again: their largest sizes are known to both sides, so each is bare numbers in a buffer
+// that stays. send() returns at once; work done before receive() on the other side hides the transfer.
+class RepeatedMessages {
   public:
-    PhasedExchange();
-    ~PhasedExchange();
-    PhasedExchange(PhasedExchange&&) noexcept;
-    PhasedExchange& operator=(PhasedExchange&&) noexcept;
+    RepeatedMessages();
+    ~RepeatedMessages();
+    RepeatedMessages(RepeatedMessages&&) noexcept;
+    RepeatedMessages& operator=(RepeatedMessages&&) noexcept;
 
-    // Bytes of each message, [phase][neighbour]; 0: none. Not collective.
-    void set_up(const Communicator& ranks, std::span<const int> neighbours,
-                const std::vector<std::vector<std::size_t>>& outgoing,
-                const std::vector<std::vector<std::size_t>>& incoming);
-    // To be filled before send(); waits until the last message from it is gone.
-    std::span<std::byte> outgoing(std::size_t phase, std::size_t neighbour);
-    void send(std::size_t phase);
-    void receive(std::size_t phase);
-    std::span<const std::byte> incoming(std::size_t phase, std::size_t neighbour) const;
+    struct Message {
+        int rank;           // to or from
+        int tag;            // 0 to 99; another one for each message to a rank
+        std::size_t bytes;  // at most
+    };
+    // Not collective. Outgoing and incoming messages have indices in the order given.
+    void set_up(const Communicator& ranks, std::span<const Message> outgoing, std::span<const Message> incoming);
+    // To be filled before send(); waits until what was in it is gone.
+    std::byte* outgoing(std::size_t k);
+    void send(std::size_t k, std::size_t bytes);
+    // Waits for the message.
+    const std::byte* receive(std::size_t k, std::size_t bytes);
     // Until all sends are taken: before set_up() or the end.
     void finish();
     Traffic& traffic();

@@ -86,25 +86,21 @@ void write_file(const std::string& path, const State& state, const Bodies& bodie
 
 }  // namespace
 
-std::string write_checkpoint(const std::string& folder, const State& state, const WarmStart& own,
-                             const Provenance& provenance, const Communicator& ranks) {
+std::string write_checkpoint(const std::string& folder, const State& state, const Provenance& provenance,
+                             const Communicator& ranks) {
     by_root(ranks, [&] { make_folder(folder); });
     const std::string path = folder + "/" + fmt::format("{}{:010}{}", kPrefix, state.step, kSuffix);
     AtomicFile out(path, ranks);
     if (ranks.alone()) {
-        write_file(out.temporary(), state, state.bodies, own, provenance, ranks);
+        write_file(out.temporary(), state, state.bodies, state.warm_start, provenance, ranks);
     } else {
         const BodySlice slice = slice_bodies(state.bodies, 1, ranks);
-        write_file(out.temporary(), state, slice.bodies, slice_warm_start(own, ranks), provenance, ranks);
+        write_file(out.temporary(), state, slice.bodies, slice_warm_start(state.warm_start, ranks), provenance, ranks);
     }
     seal(out.temporary(), ranks);
     out.commit();
     if (ranks.root()) remove_old(folder, state.step);
     return path;
-}
-
-std::string write_checkpoint(const std::string& folder, const State& state, const Provenance& provenance) {
-    return write_checkpoint(folder, state, state.warm_start, provenance);
 }
 
 State read_checkpoint(const std::string& path, Provenance* provenance, const Communicator& ranks) {

@@ -17,12 +17,9 @@
 namespace scree::io {
 
 // Writes <folder>/step_<state.step>.h5 and then removes all but the two newest. Flush the history before, so that
-// every row up to the checkpoint is in its file. `own`: the impulses to keep, disjoint over ranks, in place of
-// state.warm_start (which may hold copies of other ranks'). Ghosts are left out. Returns the path.
-std::string write_checkpoint(const std::string& folder, const State& state, const WarmStart& own,
-                             const Provenance& provenance, const Communicator& ranks = Communicator::self());
-// One rank.
-std::string write_checkpoint(const std::string& folder, const State& state, const Provenance& provenance);
+// every row up to the checkpoint is in its file. Ghosts are left out. Returns the path.
+std::string write_checkpoint(const std::string& folder, const State& state, const Provenance& provenance,
+                             const Communicator& ranks = Communicator::self());
 
 // Each rank gets an equal slice of the bodies by id, the impulses of contacts whose body a it has, and all the rest.
 // Throws IoError, which names the file, if it cannot be read, is not a checkpoint, or its checksum is wrong.

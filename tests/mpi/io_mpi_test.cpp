@@ -93,11 +93,9 @@ struct Dealt {
         whole.warm_start = impulses(whole.bodies, spins, random);
         part = whole;
         part.bodies = share(whole.bodies, seed, Ghosts::some);
-        part.warm_start = {};
-        own = share_of(whole.warm_start);
+        part.warm_start = share_of(whole.warm_start);
     }
     State whole, part;
-    WarmStart own;
 };
 
 std::vector<ContactRecord> contacts_of(const WarmStart& warm, const std::vector<std::size_t>& which) {
@@ -133,7 +131,7 @@ TEST(RanksCheckpoint, IsTheFileOfOneRank) {
     std::uint64_t seed = 1;
     for (const Case& c : kCases) {
         const Dealt dealt(c.bodies, c.spins, c.orientations, seed++);
-        const std::string many = write_checkpoint(folder / "many", dealt.part, dealt.own, provenance, world());
+        const std::string many = write_checkpoint(folder / "many", dealt.part, provenance, world());
         on_root([&] {
             const std::string one = write_checkpoint(folder / "one", dealt.whole, provenance);
             EXPECT_EQ(differences(one, many), "");
@@ -172,8 +170,7 @@ TEST(RanksCheckpoint, IsReadInSlices) {
         rest.warm_start = state.warm_start;
         EXPECT_TRUE(StateBytes(state) == StateBytes(rest));
         // Written again by those who read it, it is the same file.
-        const std::string again =
-            write_checkpoint(folder / "again", state, state.warm_start, found->provenance, world());
+        const std::string again = write_checkpoint(folder / "again", state, found->provenance, world());
         on_root([&] { EXPECT_EQ(differences(found->path, again), ""); });
     }
 }
@@ -182,9 +179,9 @@ TEST(RanksCheckpoint, ADamagedOneIsPassedOverByAll) {
     const SharedFolder folder;
     Dealt dealt(40, true, true, 3);
     dealt.part.step = 10;
-    const std::string good = write_checkpoint(folder.path(), dealt.part, dealt.own, {}, world());
+    const std::string good = write_checkpoint(folder.path(), dealt.part, {}, world());
     dealt.part.step = 11;
-    const std::string bad = write_checkpoint(folder.path(), dealt.part, dealt.own, {}, world());
+    const std::string bad = write_checkpoint(folder.path(), dealt.part, {}, world());
     on_root([&] { fs::resize_file(bad, fs::file_size(bad) - 8); });
     const auto found = find_latest_checkpoint(folder.path(), world());
     ASSERT_TRUE(found.has_value());
@@ -331,7 +328,7 @@ TEST(RanksFaults, AFullDiskOnOneRank) {
     const SharedFolder folder;
     const Dealt dealt(20000, true, true, 5);
     Scene scene = sample_scene();
-    const auto checkpoint = [&] { write_checkpoint(folder.path(), dealt.part, dealt.own, {}, world()); };
+    const auto checkpoint = [&] { write_checkpoint(folder.path(), dealt.part, {}, world()); };
     const auto snapshot = [&] { write_snapshot(folder / "000000.h5", 0, scene, dealt.part, {}, {}, world()); };
     for (const std::uint64_t bytes : {0U, 3000U, 100000U}) {
         // With few bodies a rank may have nothing to write beyond the limit; here each has.
@@ -377,7 +374,7 @@ TEST(RanksFaults, AFolderThatIsNotThere) {
     const SharedFolder folder;
     on_root([&] { std::ofstream(folder / "file") << "x"; });
     const Dealt dealt(3, true, true, 5);
-    EXPECT_THROW(write_checkpoint(folder / "file", dealt.part, dealt.own, {}, world()), IoError);
+    EXPECT_THROW(write_checkpoint(folder / "file", dealt.part, {}, world()), IoError);
     EXPECT_THROW(write_snapshot(folder / "none/a.h5", 0, sample_scene(), dealt.part, {}, {}, world()), IoError);
     EXPECT_THROW(read_checkpoint(folder / "none", nullptr, world()), IoError);
     EXPECT_THROW(SnapshotSeries(folder / "file", 0, world()), IoError);

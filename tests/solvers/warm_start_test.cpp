@@ -21,8 +21,10 @@ TEST(WarmStart, MatchesByKeyAndScalesWithTheStep) {
     const contact::ContactSet now{contact_of(key(0, 9)), contact_of(key(1, 5)), contact_of(key(2, 3)),
                                   contact_of(key(3, 4)), contact_of(key(8, 9))};
     std::vector<Vec3> impulse;
-    std::vector<double> normal;
-    match_warm_start(now, last, 0.005, false, impulse, normal);
+    std::vector<double> normal(now.size(), 0.0);
+    std::vector<std::uint32_t> unmatched;
+    match_warm_start(now, last, 0.005, false, impulse, normal, &unmatched);
+    EXPECT_EQ(unmatched, (std::vector<std::uint32_t>{0}));
     EXPECT_EQ(normal, (std::vector<double>{0.0, 1.0, 0.0, 1.5, 0.0}));
     EXPECT_TRUE(impulse.empty());
 }
@@ -36,7 +38,7 @@ TEST(WarmStart, PlacesOfAWallAreToldApart) {
                                   contact_of(ContactKey::wall(BodyId{1}, WallIndex{0}, 1)),
                                   contact_of(ContactKey::wall(BodyId{1}, WallIndex{2}, 0))};
     std::vector<Vec3> impulse;
-    std::vector<double> normal;
+    std::vector<double> normal(now.size(), 0.0);
     match_warm_start(now, last, 1.0, false, impulse, normal);
     EXPECT_EQ(normal, (std::vector<double>{0.0, 0.0, 1.0, 2.0}));
 }
@@ -47,7 +49,7 @@ TEST(WarmStart, AVectorThatWouldPullIsDropped) {
     last.key = {key(1, 2), key(3, 4)};
     last.impulse_vector = {Vec3(1, 0, 2), Vec3(1, 0, 2)};
     const contact::ContactSet now{contact_of(key(1, 2)), contact_of(key(3, 4), -Vec3::UnitZ())};
-    std::vector<Vec3> impulse;
+    std::vector<Vec3> impulse(now.size(), Vec3::Zero());
     std::vector<double> normal;
     match_warm_start(now, last, 2.0, true, impulse, normal);
     EXPECT_EQ(impulse, (std::vector<Vec3>{Vec3(2, 0, 4), Vec3::Zero()}));
@@ -69,11 +71,23 @@ TEST(WarmStart, KeepsWhatIsNotZeroInOrder) {
     EXPECT_TRUE(kept.impulse_normal.empty());
 }
 
-TEST(WarmStart, OfNothingIsNothing) {
-    std::vector<Vec3> impulse(7, Vec3::Ones());
+TEST(WarmStart, WhatHasNoImpulseStaysAsItWas) {
+    std::vector<Vec3> impulse(1, Vec3::Ones());
     std::vector<double> normal;
-    match_warm_start({contact_of(key(1, 2))}, WarmStart{}, 1.0, true, impulse, normal);
-    EXPECT_EQ(impulse, (std::vector<Vec3>{Vec3::Zero()}));
+    std::vector<std::uint32_t> unmatched;
+    match_warm_start({contact_of(key(1, 2))}, WarmStart{}, 1.0, true, impulse, normal, &unmatched);
+    EXPECT_EQ(impulse, (std::vector<Vec3>{Vec3::Ones()}));
+    EXPECT_TRUE(unmatched.empty());
+    WarmStart last;
+    last.step = 1.0;
+    last.key = {key(0, 1), key(1, 3), key(2, 3)};
+    last.impulse_vector.assign(3, Vec3::UnitZ());
+    match_warm_start({contact_of(key(1, 2))}, last, 1.0, true, impulse, normal, &unmatched);
+    EXPECT_EQ(impulse, (std::vector<Vec3>{Vec3::Ones()}));
+    EXPECT_EQ(unmatched, (std::vector<std::uint32_t>{0, 1, 2}));
+    unmatched.clear();
+    match_warm_start({}, last, 1.0, true, impulse, normal, &unmatched);
+    EXPECT_EQ(unmatched.size(), 3U);
 }
 
 }  // namespace
