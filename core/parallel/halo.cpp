@@ -197,18 +197,23 @@ void Halo::index_neighbours() {
     }
 }
 
-// New room for a body where it is now, if all that own a block in it hold the body.
+// New room for a body where it is now: as much of what it would like as its holders cover.
 bool Halo::renew(std::size_t i, const Bodies& bodies, double margin, double ahead) {
-    const double speed = bodies.velocity[i].norm(), r = bodies.radius[i];
-    const double room = room_to_move(r, speed, settings_.step, margin), reach = r + room + most_margin_;
-    if (room < margin + ahead * speed || (any_wide_ && ranks_.rank() != kWideRank)) return false;
+    if (any_wide_ && ranks_.rank() != kWideRank) return false;
+    const double speed = bodies.velocity[i].norm(), needed = margin + ahead * speed;
     const Vec3& x = bodies.position[i];
-    const Vec3 corner = Vec3::Constant(reach);
-    std::vector<int>& needed = holders_;
-    needed.clear();
-    partition_->owners(block_of(x - corner, settings_.block_size), block_of(x + corner, settings_.block_size), needed);
-    for (const int rank : needed)
-        if (rank != ranks_.rank() && !std::binary_search(other_[i].begin(), other_[i].end(), rank)) return false;
+    double room = std::max(room_to_move(bodies.radius[i], speed, settings_.step, margin), needed);
+    for (;; room = std::max(0.5 * room, needed)) {
+        const Vec3 corner = Vec3::Constant(bodies.radius[i] + room + most_margin_);
+        holders_.clear();
+        partition_->owners(block_of(x - corner, settings_.block_size), block_of(x + corner, settings_.block_size),
+                           holders_);
+        const bool covered = std::all_of(holders_.begin(), holders_.end(), [&](int rank) {
+            return rank == ranks_.rank() || std::binary_search(other_[i].begin(), other_[i].end(), rank);
+        });
+        if (covered) break;
+        if (room == needed) return false;
+    }
     place_[i] = x;
     room_[i] = room;
     return true;
