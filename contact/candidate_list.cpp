@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/radix_sort.hpp"
-
 namespace scree::contact {
 namespace {
 
@@ -41,7 +39,7 @@ bool CandidateList::bring(const Scene& scene, const State& state, double step, d
         ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
     }
     id_ = bodies.id;
-    rebuild_pairs(state);
+    rebuild_pairs(n);
     rebuild_walls(scene, state, step, time);
     valid_ = true;
     ++rebuilds_;
@@ -60,13 +58,13 @@ void CandidateList::follow(const std::vector<BodyId>& id) {
     for (std::size_t i = 0; i < id_.size() && next < id.size(); ++i)
         if (id_[i] == id[next]) now[i] = next++;
     // what is kept moves down in the arrays, never up
-    std::size_t pairs = 0, walls = 0, begin = 0, wall_begin = 0;
+    std::uint32_t pairs = 0, walls = 0, begin = 0, wall_begin = 0;
     for (std::size_t i = 0; i < id_.size(); ++i) {
-        const std::size_t end = partner_begin_[i + 1], wall_end = wall_begin_[i + 1];
+        const std::uint32_t end = partner_begin_[i + 1], wall_end = wall_begin_[i + 1];
         if (now[i] != kGone) {
-            for (std::size_t k = begin; k < end; ++k)
+            for (std::uint32_t k = begin; k < end; ++k)
                 if (now[partner_[k]] != kGone) partner_[pairs++] = now[partner_[k]];
-            for (std::size_t k = wall_begin; k < wall_end; ++k) wall_[walls++] = wall_[k];
+            for (std::uint32_t k = wall_begin; k < wall_end; ++k) wall_[walls++] = wall_[k];
             ball_[now[i]] = ball_[i];
             slack_[now[i]] = slack_[i];
             partner_begin_[now[i] + 1] = pairs;
@@ -84,18 +82,18 @@ void CandidateList::follow(const std::vector<BodyId>& id) {
     id_ = id;
 }
 
-void CandidateList::rebuild_pairs(const State& state) {
-    const std::size_t n = state.bodies.size();
+// A body has few partners: they are dealt out by body, then sorted body by body.
+void CandidateList::rebuild_pairs(std::size_t n) {
     pair_.clear();
     grid_.find_pairs(ball_, pair_);
-    radix_sort(pair_, pair_scratch_, [](const BodyPair& p) { return std::uint64_t{p.first} << 32 | p.second; });
     partner_begin_.assign(n + 1, 0);
-    partner_.clear();
-    for (const BodyPair& p : pair_) {
-        ++partner_begin_[p.first + 1];
-        partner_.push_back(p.second);
-    }
-    for (std::size_t i = 0; i < n; ++i) partner_begin_[i + 1] += partner_begin_[i];
+    partner_.resize(pair_.size());
+    for (const BodyPair& p : pair_) ++partner_begin_[p.first];
+    std::uint32_t end = 0;
+    for (std::uint32_t& at : partner_begin_) at = end += at;
+    for (const BodyPair& p : pair_) partner_[--partner_begin_[p.first]] = p.second;
+    for (std::size_t i = 0; i < n; ++i)
+        std::sort(partner_.begin() + partner_begin_[i], partner_.begin() + partner_begin_[i + 1]);
 }
 
 void CandidateList::place_walls(const Scene& scene, double time, double present_at) {
@@ -129,15 +127,14 @@ void CandidateList::rebuild_walls(const Scene& scene, const State& state, double
             find_contacts(wall.shape, local, state.bodies.radius[i], reach, found);
             if (found.count > 0) wall_.push_back(w);
         }
-        wall_begin_[i + 1] = wall_.size();
+        wall_begin_[i + 1] = static_cast<std::uint32_t>(wall_.size());
     }
 }
 
 std::size_t CandidateList::bytes() const {
     return grid_.bytes() + ball_.capacity() * sizeof(Ball) + (slack_.capacity() + margin_.capacity()) * 8 +
-           (pair_.capacity() + pair_scratch_.capacity()) * sizeof(BodyPair) +
-           (partner_begin_.capacity() + wall_begin_.capacity()) * sizeof(std::size_t) +
-           (partner_.capacity() + wall_.capacity()) * 4;
+           pair_.capacity() * sizeof(BodyPair) +
+           (partner_begin_.capacity() + wall_begin_.capacity() + partner_.capacity() + wall_.capacity()) * 4;
 }
 
 }  // namespace scree::contact

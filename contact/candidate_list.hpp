@@ -60,7 +60,7 @@ class CandidateList {
                const Communicator& ranks);
     void place_walls(const Scene& scene, double time, double present_at);
     bool still_holds(const State& state, double time, const std::vector<double>& margin) const;
-    void rebuild_pairs(const State& state);
+    void rebuild_pairs(std::size_t n);
     void rebuild_walls(const Scene& scene, const State& state, double step, double time);
 
     bool valid_ = false;
@@ -72,8 +72,8 @@ class CandidateList {
     std::vector<BodyId> id_;     // n
     std::vector<Ball> ball_;     // n, where the list was made; radius r + s
     std::vector<double> slack_;  // [m] s, n
-    std::vector<BodyPair> pair_, pair_scratch_;
-    std::vector<std::size_t> partner_begin_, wall_begin_;  // n + 1
+    std::vector<BodyPair> pair_;
+    std::vector<std::uint32_t> partner_begin_, wall_begin_;  // n + 1
     std::vector<std::uint32_t> partner_, wall_;
 };
 

@@ -6,17 +6,12 @@
 #include <map>
 
 #include "core/radix_sort.hpp"
+#include "core/simd.hpp"
 
 namespace scree::contact {
 namespace {
 
 constexpr int kKeyBits = 62;  // of a cell's three indices together; scenes that need more get wider cells
-
-bool overlap(const Ball& a, const Ball& b) {
-    const double dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
-    const double reach = a.radius + b.radius;
-    return dx * dx + dy * dy + dz * dz <= reach * reach;
-}
 
 BodyPair ordered(std::uint32_t i, std::uint32_t j) {
     return {std::min(i, j), std::max(i, j)};
@@ -24,13 +19,13 @@ BodyPair ordered(std::uint32_t i, std::uint32_t j) {
 
 }  // namespace
 
-std::int64_t CellGrid::Level::index(double x, int direction) const {
-    return static_cast<std::int64_t>(std::floor((x - lower[direction]) / width)) + 1;
+std::int64_t CellGrid::Level::index(double at, int direction) const {
+    return static_cast<std::int64_t>(std::floor((at - lower[direction]) / width)) + 1;
 }
 
-std::uint64_t CellGrid::Level::pack(std::int64_t x, std::int64_t y, std::int64_t z) const {
-    return ((static_cast<std::uint64_t>(z) << bits[1] | static_cast<std::uint64_t>(y)) << bits[0]) |
-           static_cast<std::uint64_t>(x);
+std::uint64_t CellGrid::Level::pack(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    return ((static_cast<std::uint64_t>(k) << bits[1] | static_cast<std::uint64_t>(j)) << bits[0]) |
+           static_cast<std::uint64_t>(i);
 }
 
 void CellGrid::fill(Level& level, const std::vector<Ball>& balls, const std::vector<std::uint32_t>& bodies) {
@@ -62,26 +57,79 @@ void CellGrid::fill(Level& level, const std::vector<Ball>& balls, const std::vec
     radix_sort(keyed_, scratch_, [](const Keyed& k) { return k.key; });
     level.key.clear();
     level.begin.clear();
-    level.ball.clear();
     level.body.clear();
     for (const Keyed& k : keyed_) {
         if (level.key.empty() || level.key.back() != k.key) {
             level.key.push_back(k.key);
             level.begin.push_back(static_cast<std::uint32_t>(level.body.size()));
         }
-        level.ball.push_back(balls[k.body]);
         level.body.push_back(k.body);
     }
-    level.begin.push_back(static_cast<std::uint32_t>(level.body.size()));
+    const std::size_t n = level.body.size();
+    level.begin.push_back(static_cast<std::uint32_t>(n));
+    for (std::vector<double>* column : {&level.x, &level.y, &level.z, &level.radius}) column->resize(n + kLanes - 1);
+    for (std::size_t m = 0; m < n; ++m) {
+        const Ball& ball = balls[level.body[m]];
+        level.x[m] = ball.x;
+        level.y[m] = ball.y;
+        level.z[m] = ball.z;
+        level.radius[m] = ball.radius;
+    }
 }
+
+// The partners of one ball, looked for eight at a time: |x_i - x_j|^2 <= (radius_i + radius_j)^2. Bits of up to eight
+// packs are kept before they are walked, for a walk whose length nobody can foretell costs as much as some packs.
+class CellGrid::Search {
+  public:
+    Search(const Level& own, std::uint32_t m, const Level& level, std::vector<BodyPair>& pairs)
+        : body_(own.body[m]),
+          x_(Pack::all(own.x[m])),
+          y_(Pack::all(own.y[m])),
+          z_(Pack::all(own.z[m])),
+          radius_(Pack::all(own.radius[m])),
+          level_(level),
+          pairs_(pairs) {}
+    ~Search() { walk(); }
+    Search(const Search&) = delete;
+    Search& operator=(const Search&) = delete;
+
+    // Balls `from` to `to` of the level.
+    SCREE_INLINE void look(std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t k = from; k < to; k += kLanes) {
+            const Pack dx = x_ - Pack::load_anywhere(level_.x.data() + k);
+            const Pack dy = y_ - Pack::load_anywhere(level_.y.data() + k);
+            const Pack dz = z_ - Pack::load_anywhere(level_.z.data() + k);
+            const Pack reach = radius_ + Pack::load_anywhere(level_.radius.data() + k);
+            std::uint64_t hits = mask_less_equal(dx * dx + dy * dy + dz * dz, reach * reach);
+            if (to - k < kLanes) hits &= (1U << (to - k)) - 1;
+            start_[packs_] = k;
+            hits_ |= hits << (kLanes * packs_);
+            packs_ += hits != 0 ? 1 : 0;
+            if (packs_ == kPacks) walk();
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t kPacks = 64 / kLanes;
+
+    SCREE_INLINE void walk() {
+        for (; hits_ != 0; hits_ &= hits_ - 1) {
+            const auto bit = static_cast<std::uint32_t>(std::countr_zero(hits_));
+            pairs_.push_back(ordered(body_, level_.body[start_[bit / kLanes] + bit % kLanes]));
+        }
+        packs_ = 0;
+    }
+
+    std::uint32_t body_;
+    Pack x_, y_, z_, radius_;
+    const Level& level_;
+    std::vector<BodyPair>& pairs_;
+    std::uint64_t hits_ = 0;
+    std::uint32_t packs_ = 0, start_[kPacks];
+};
 
 void CellGrid::pairs_within(const Level& level, std::vector<BodyPair>& pairs) {
     const std::size_t cells = level.key.size();
-    const auto look = [&](std::uint32_t m, std::uint32_t from, std::uint32_t to) {
-        const Ball ball = level.ball[m];
-        for (std::uint32_t k = from; k < to; ++k)
-            if (overlap(ball, level.ball[k])) pairs.push_back(ordered(level.body[m], level.body[k]));
-    };
     // the rows that come later: (dy, dz) = (1, 0) (-1, 1) (0, 1) (1, 1), as differences of the key
     const auto row = std::uint64_t{1} << level.bits[0], layer = std::uint64_t{1} << (level.bits[0] + level.bits[1]);
     const std::uint64_t later[4] = {row, layer - row, layer, layer + row};
@@ -91,25 +139,29 @@ void CellGrid::pairs_within(const Level& level, std::vector<BodyPair>& pairs) {
         const std::uint32_t begin = level.begin[c], end = level.begin[c + 1];
         // its own cell, and the next one of its row
         const std::uint32_t own_end = c + 1 < cells && level.key[c + 1] == key + 1 ? level.begin[c + 2] : end;
-        for (std::uint32_t m = begin; m < end; ++m) look(m, m + 1, own_end);
+        std::uint32_t from[4], to[4];
         for (int r = 0; r < 4; ++r) {
             std::size_t& p = at[r];
             while (p < cells && level.key[p] < key + later[r] - 1) ++p;
             std::size_t q = p;
             while (q < cells && level.key[q] <= key + later[r] + 1) ++q;
-            if (q == p) continue;
-            for (std::uint32_t m = begin; m < end; ++m) look(m, level.begin[p], level.begin[q]);
+            from[r] = level.begin[p];
+            to[r] = level.begin[q];
+        }
+        for (std::uint32_t m = begin; m < end; ++m) {
+            Search search(level, m, level, pairs);
+            search.look(m + 1, own_end);
+            for (int r = 0; r < 4; ++r) search.look(from[r], to[r]);
         }
     }
 }
 
 void CellGrid::pairs_between(const Level& fine, const Level& coarse, std::vector<BodyPair>& pairs) {
-    for (std::size_t m = 0; m < fine.ball.size(); ++m) {
-        const Ball& ball = fine.ball[m];
+    for (std::uint32_t m = 0; m < fine.body.size(); ++m) {
         // a partner's centre is at most radius + width / 2 away
-        const double reach = ball.radius + 0.5 * coarse.width;
+        const double reach = fine.radius[m] + 0.5 * coarse.width;
         std::int64_t low[3], high[3];
-        const double x[3] = {ball.x, ball.y, ball.z};
+        const double x[3] = {fine.x[m], fine.y[m], fine.z[m]};
         bool near = true;
         for (int d = 0; d < 3; ++d) {
             const std::int64_t cells = (std::int64_t{1} << coarse.bits[d]) - 1;
@@ -118,13 +170,13 @@ void CellGrid::pairs_between(const Level& fine, const Level& coarse, std::vector
             near = near && low[d] <= high[d];
         }
         if (!near) continue;
+        Search search(fine, m, coarse, pairs);
         for (std::int64_t z = low[2]; z <= high[2]; ++z)
             for (std::int64_t y = low[1]; y <= high[1]; ++y) {
                 const auto from = std::lower_bound(coarse.key.begin(), coarse.key.end(), coarse.pack(low[0], y, z));
                 const auto to = std::upper_bound(from, coarse.key.end(), coarse.pack(high[0], y, z));
-                const std::uint32_t last = coarse.begin[static_cast<std::size_t>(to - coarse.key.begin())];
-                for (std::uint32_t k = coarse.begin[static_cast<std::size_t>(from - coarse.key.begin())]; k < last; ++k)
-                    if (overlap(ball, coarse.ball[k])) pairs.push_back(ordered(fine.body[m], coarse.body[k]));
+                search.look(coarse.begin[static_cast<std::size_t>(from - coarse.key.begin())],
+                            coarse.begin[static_cast<std::size_t>(to - coarse.key.begin())]);
             }
     }
 }
@@ -158,7 +210,7 @@ std::size_t CellGrid::bytes() const {
     std::size_t sum = (keyed_.capacity() + scratch_.capacity()) * sizeof(Keyed);
     for (const Level& level : levels_)
         sum += level.key.capacity() * 8 + (level.begin.capacity() + level.body.capacity()) * 4 +
-               level.ball.capacity() * sizeof(Ball);
+               (level.x.capacity() + level.y.capacity() + level.z.capacity() + level.radius.capacity()) * 8;
     return sum;
 }
 

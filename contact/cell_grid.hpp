@@ -32,17 +32,19 @@ class CellGrid {
         int bits[3] = {};                  // of the index in each direction, one cell of margin on both sides
         std::vector<std::uint64_t> key;    // one a filled cell, increasing
         std::vector<std::uint32_t> begin;  // cells + 1, into ball and body
-        std::vector<Ball> ball;            // cell by cell
+        // Cell by cell; room for a pack of eight that starts at the last one.
+        std::vector<double> x, y, z, radius;
         std::vector<std::uint32_t> body;
 
-        std::uint64_t pack(std::int64_t x, std::int64_t y, std::int64_t z) const;
-        std::int64_t index(double x, int direction) const;
+        std::uint64_t pack(std::int64_t i, std::int64_t j, std::int64_t k) const;
+        std::int64_t index(double at, int direction) const;
     };
     struct Keyed {
         std::uint64_t key;
         std::uint32_t body;
     };
     void fill(Level& level, const std::vector<Ball>& balls, const std::vector<std::uint32_t>& bodies);
+    class Search;
     static void pairs_within(const Level& level, std::vector<BodyPair>& pairs);
     static void pairs_between(const Level& fine, const Level& coarse, std::vector<BodyPair>& pairs);
 

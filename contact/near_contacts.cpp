@@ -13,6 +13,8 @@ constexpr double kNegligible = 1e-12;  // of the diameter: shallower overlaps ar
 constexpr double kShallow = 1e-4;      // those below this push
 constexpr std::uint64_t kRarely = 4;  // in every fourth scenario step: they are most of the overlaps, and do least harm
 constexpr int kRings = 2;             // of neighbours that a push may reach
+constexpr double kRoundOff = 1e-12;   // of a squared distance, with room
+constexpr double kSpare = 1.5;        // near pairs are listed as far as this times the last deepest push needs
 constexpr double kMostPush = 0.5;     // of the radius: deeper overlaps take several steps
 
 }  // namespace
@@ -22,23 +24,22 @@ double NearContacts::diameter(const Contact& contact, const Bodies& bodies) {
     return contact.key.is_wall() ? 2.0 * radius : radius + bodies.radius[contact.b];
 }
 
+// Lists the near pairs in the same walk, as wide as the last step needed, which mostly does in this one.
 void NearContacts::measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates) {
     const Bodies& bodies = state.bodies;
-    gap_.clear();
     const double negligible = state.step % kRarely == 0 ? kNegligible : kShallow;
     const auto deepen = [&](std::size_t i, double gap, double diameter) {
         if (-gap <= negligible * diameter) return;
         push_[i] = std::max(push_[i], std::min(-gap, kMostPush * bodies.radius[i]));
     };
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        for (const std::uint32_t j : candidates.partners(i)) {
-            const double radii = bodies.radius[i] + bodies.radius[j];
-            const double gap = (bodies.position[i] - bodies.position[j]).norm() - radii;
-            gap_.push_back(gap);
-            if (gap >= 0.0) continue;
-            deepen(i, gap, radii);
-            deepen(j, gap, radii);
-        }
+    list_near(bodies, candidates);
+    for (const NearPair& pair : near_) {
+        if (pair.gap >= 0.0) continue;
+        const double radii = bodies.radius[pair.a] + bodies.radius[pair.b];
+        deepen(pair.a, pair.gap, radii);
+        deepen(pair.b, pair.gap, radii);
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
         for (const std::uint32_t w : candidates.walls(i)) {
             const WallFrame& frame = candidates.wall_frames()[w];
             if (!frame.present) continue;
@@ -48,19 +49,29 @@ void NearContacts::measure_gaps(const Scene& scene, const State& state, const Ca
             for (int k = 0; k < found.count; ++k)
                 deepen(i, found.item[static_cast<std::size_t>(k)].gap, 2.0 * bodies.radius[i]);
         }
+}
+
+void NearContacts::list_near(const Bodies& bodies, const CandidateList& candidates) {
+    near_.clear();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        const Vec3& x = bodies.position[i];
+        for (const std::uint32_t j : candidates.partners(i)) {
+            const double radii = bodies.radius[i] + bodies.radius[j], reach = radii + listed_;
+            const double square = (x - bodies.position[j]).squaredNorm();
+            if (square > (1.0 + kRoundOff) * (reach * reach)) continue;  // no root for those far apart
+            const double gap = std::sqrt(square) - radii;
+            if (gap < listed_ || gap < 0.0) near_.push_back({i, j, gap});
+        }
     }
 }
 
 // No push is wider than the deepest.
-void NearContacts::list_near(const Bodies& bodies, const CandidateList& candidates) {
-    const double deepest = push_.empty() ? 0.0 : *std::max_element(push_.begin(), push_.end());
-    near_.clear();
-    const double* gap = gap_.data();
-    for (std::uint32_t i = 0; i < bodies.size(); ++i)
-        for (const std::uint32_t j : candidates.partners(i)) {
-            if (*gap < 2.0 * deepest) near_.push_back({i, j, *gap});
-            ++gap;
-        }
+void NearContacts::list_wide_enough(const Bodies& bodies, const CandidateList& candidates) {
+    if (push_.empty()) return;
+    deepest_ = *std::max_element(push_.begin(), push_.end());
+    if (2.0 * deepest_ <= listed_) return;
+    listed_ = kSpare * 2.0 * deepest_;
+    list_near(bodies, candidates);
 }
 
 const ContactSet& NearContacts::find(const Scene& scene, State& state, double step, CandidateList& candidates,
@@ -71,16 +82,17 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
         // every overlap is in the list as long as the list holds what touches
         push_.assign(state.bodies.size(), 0.0);
         candidates.update_at_end(scene, state, step, push_, domain.ranks());
+        listed_ = kSpare * 2.0 * deepest_;
         measure_gaps(scene, state, candidates);
         domain.halo().max_over_holders(push_);
         if (!domain.ranks().any(std::any_of(push_.begin(), push_.end(), [](double d) { return d > 0.0; }))) {
-            list_near(state.bodies, candidates);
             return;
         }
         for (int ring = 0; ring <= kRings; ++ring) {
             // a wider push needs a wider list; what is measured again is the same
-            if (candidates.update_at_end(scene, state, step, push_, domain.ranks())) measure_gaps(scene, state, candidates);
-            list_near(state.bodies, candidates);
+            if (candidates.update_at_end(scene, state, step, push_, domain.ranks()))
+                measure_gaps(scene, state, candidates);
+            list_wide_enough(state.bodies, candidates);
             if (ring == kRings) break;
             widen(state.bodies);
             domain.halo().max_over_holders(push_);
@@ -154,8 +166,8 @@ void NearContacts::collect(const Scene& scene, const State& state, const Candida
 }
 
 std::size_t NearContacts::bytes() const {
-    return (push_.capacity() + wider_.capacity() + gap_.capacity()) * sizeof(double) +
-           near_.capacity() * sizeof(NearPair) + contacts_.capacity() * sizeof(Contact);
+    return (push_.capacity() + wider_.capacity()) * sizeof(double) + near_.capacity() * sizeof(NearPair) +
+           contacts_.capacity() * sizeof(Contact);
 }
 
 }  // namespace scree::contact

@@ -66,16 +66,18 @@ class NearContacts {
   private:
     void widen(const Bodies& bodies);
     void list_near(const Bodies& bodies, const CandidateList& candidates);
+    void list_wide_enough(const Bodies& bodies, const CandidateList& candidates);
     void measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates);
     void collect(const Scene& scene, const State& state, const CandidateList& candidates, const Domain& domain);
 
     std::vector<double> push_, wider_;  // [m] d_i, n
-    std::vector<double> gap_;           // [m] of each pair of the list, in its order
     struct NearPair {
         std::uint32_t a, b;  // a < b
         double gap;          // [m]
     };
-    std::vector<NearPair> near_;  // those that the deepest push could close, in order
+    std::vector<NearPair> near_;  // with a gap below listed_, and all overlaps, in order
+    double listed_ = 0.0;         // [m] at least twice the deepest push, once pushes are known
+    double deepest_ = 0.0;        // [m] push of the last look
     ContactSet contacts_;
     OverlapSums shallow_;
 };

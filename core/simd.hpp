@@ -20,6 +20,12 @@ struct PackOf {
         for (int i = 0; i < kNatives; ++i) r.v[i] = detail::load(p + i * kWidth);
         return r;
     }
+    // `p` is aligned as a number is; doubles only.
+    static PackOf load_anywhere(const Real* p) {
+        PackOf r;
+        for (int i = 0; i < kNatives; ++i) r.v[i] = detail::load_anywhere(p + i * kWidth);
+        return r;
+    }
     static PackOf all(Real x) {
         PackOf r;
         for (int i = 0; i < kNatives; ++i) r.v[i] = detail::fill(x);
@@ -70,6 +76,12 @@ inline PackOf<Real> where_less(const PackOf<Real>& a, const PackOf<Real>& b, con
     PackOf<Real> r;
     for (int i = 0; i < PackOf<Real>::kNatives; ++i) r.v[i] = detail::where_less(a.v[i], b.v[i], yes.v[i], no.v[i]);
     return r;
+}
+// Bit i: whether a <= b in lane i. A NaN is not.
+inline std::uint32_t mask_less_equal(const Pack& a, const Pack& b) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < Pack::kNatives; ++i) bits |= detail::mask_less_equal(a.v[i], b.v[i]) << (i * Pack::kWidth);
+    return bits;
 }
 // Sums of eight numbers and maxima over the lanes, in a fixed order.
 inline double sum_of_eight(const auto* x) {

@@ -50,6 +50,12 @@ inline __m512d smaller(__m512d a, __m512d b) {
 inline __m512d where_less(__m512d a, __m512d b, __m512d yes, __m512d no) {
     return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_LT_OQ), no, yes);
 }
+inline __m512d load_anywhere(const double* p) {
+    return _mm512_loadu_pd(p);
+}
+inline std::uint32_t mask_less_equal(__m512d a, __m512d b) {
+    return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ);
+}
 #elif defined(__AVX__)
 template <>
 struct Native<double> {
@@ -76,6 +82,12 @@ inline __m256d smaller(__m256d a, __m256d b) {
 }
 inline __m256d where_less(__m256d a, __m256d b, __m256d yes, __m256d no) {
     return _mm256_blendv_pd(no, yes, _mm256_cmp_pd(a, b, _CMP_LT_OQ));
+}
+inline __m256d load_anywhere(const double* p) {
+    return _mm256_loadu_pd(p);
+}
+inline std::uint32_t mask_less_equal(__m256d a, __m256d b) {
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LE_OQ)));
 }
 #elif defined(__SSE2__)
 template <>
@@ -104,6 +116,12 @@ inline __m128d smaller(__m128d a, __m128d b) {
 inline __m128d where_less(__m128d a, __m128d b, __m128d yes, __m128d no) {
     const __m128d mask = _mm_cmplt_pd(a, b);
     return _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no));
+}
+inline __m128d load_anywhere(const double* p) {
+    return _mm_loadu_pd(p);
+}
+inline std::uint32_t mask_less_equal(__m128d a, __m128d b) {
+    return static_cast<std::uint32_t>(_mm_movemask_pd(_mm_cmple_pd(a, b)));
 }
 #endif
 
@@ -222,6 +240,14 @@ Real smaller(Real a, Real b) {
 template <class Real>
 Real where_less(Real a, Real b, Real yes, Real no) {
     return a < b ? yes : no;
+}
+template <class Real>
+Real load_anywhere(const Real* p) {
+    return *p;
+}
+template <class Real>
+std::uint32_t mask_less_equal(Real a, Real b) {
+    return a <= b ? 1 : 0;
 }
 #endif
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/random.hpp"
 
@@ -65,6 +66,35 @@ TEST(Simd, CrossAndDot) {
     EXPECT_EQ(max_lanes(c.x), 27.0);
     EXPECT_EQ(max_lanes(c.y), 6.0);
     EXPECT_EQ(max_lanes(c.z), -13.0);
+}
+
+TEST(Simd, MaskOfTheLanesThatAreLessOrEqual) {
+    Random random(4, 1, 0);
+    std::uint32_t seen = 0, missed = 0;
+    for (int round = 0; round < 100; ++round) {
+        const Lanes a = random_lanes(random);
+        Lanes b = random_lanes(random);
+        b.x[round % kLanes] = a.x[round % kLanes];  // equal counts
+        b.x[(round + 3) % kLanes] = std::numeric_limits<double>::quiet_NaN();
+        std::uint32_t expected = 0;
+        for (int i = 0; i < kLanes; ++i) expected |= a.x[i] <= b.x[i] ? 1U << i : 0U;
+        EXPECT_EQ(mask_less_equal(Pack::load(a.x), Pack::load(b.x)), expected);
+        seen |= expected;
+        missed |= ~expected;
+    }
+    EXPECT_EQ(seen & missed & 0xffU, 0xffU);  // every lane both ways
+    EXPECT_EQ(mask_less_equal(Pack::all(-0.0), Pack::all(0.0)), 0xffU);
+    EXPECT_EQ(mask_less_equal(Pack::all(1.0), Pack::all(-1.0)), 0U);
+}
+
+TEST(Simd, LoadsFromAnyAddress) {
+    alignas(64) std::array<double, 3 * kLanes> table;
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<double>(i);
+    for (std::size_t from = 0; from + kLanes <= table.size(); ++from) {
+        Lanes got;
+        Pack::load_anywhere(table.data() + from).store(got.x);
+        for (std::size_t i = 0; i < kLanes; ++i) EXPECT_EQ(got.x[i], table[from + i]);
+    }
 }
 
 struct alignas(32) Row {
