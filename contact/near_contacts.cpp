@@ -85,9 +85,8 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
         listed_ = kSpare * 2.0 * deepest_;
         measure_gaps(scene, state, candidates);
         domain.halo().max_over_holders(push_);
-        if (!domain.ranks().any(std::any_of(push_.begin(), push_.end(), [](double d) { return d > 0.0; }))) {
-            return;
-        }
+        none_ = !domain.ranks().any(std::any_of(push_.begin(), push_.end(), [](double d) { return d > 0.0; }));
+        if (none_) return;
         for (int ring = 0; ring <= kRings; ++ring) {
             // a wider push needs a wider list; what is measured again is the same
             if (candidates.update_at_end(scene, state, step, push_, domain.ranks()))
@@ -100,7 +99,8 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
     };
     look();
     // pushes beyond what the halo covers: bodies are exchanged, and all is looked for again
-    while (domain.cover(state, push_, step)) {
+    while (!domain.alone() && domain.ranks().any(!domain.covers(state, push_))) {
+        domain.extend(state, push_, step);
         candidates.follow(state.bodies.id);
         look();
     }

@@ -57,6 +57,8 @@ class NearContacts {
     // d_i + d_j. Overlaps below 1e-4 of the diameter push in every fourth step only; if there are no others the set is
     // empty. On each rank those that it solves. Collective; bodies may be exchanged, which changes indices.
     const ContactSet& find(const Scene& scene, State& state, double step, CandidateList& candidates, Domain& domain);
+    // No rank has found a contact.
+    bool none() const { return none_; }
     // The overlaps of this rank that are in no contact of the set.
     const OverlapSums& shallow() const { return shallow_; }
     // Of a body a with contact (a, b): the diameter that penetration is compared with [m].
@@ -79,6 +81,7 @@ class NearContacts {
     double listed_ = 0.0;         // [m] at least twice the deepest push, once pushes are known
     double deepest_ = 0.0;        // [m] push of the last look
     ContactSet contacts_;
+    bool none_ = true;
     OverlapSums shallow_;
 };
 

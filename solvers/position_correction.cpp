@@ -1,6 +1,7 @@
 #include "solvers/position_correction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -58,14 +59,16 @@ int PositionCorrection::sweep_until_settled(const contact::ContactSet& contacts,
                                             const Communicator& ranks) {
     double smallest = std::numeric_limits<double>::max();
     for (const contact::Contact& c : contacts) smallest = std::min(smallest, 2.0 * bodies.radius[c.a]);
-    const double settled = kSettled * ranks.min(smallest);
     const Pack none = Pack::all(0.0);
     for (int sweep = 1; sweep <= most; ++sweep) {
         Pack farthest = none;
         sweeps_.over_blocks(layout_, &exchange_, [&](std::uint32_t k) {
             farthest = max(farthest, update<false>(sweeps_.batch[k], sweeps_.line.data(), nullptr, none));
         });
-        if (sweep % kSweepsALook == 0 && std::sqrt(ranks.max(max_lanes(farthest))) <= settled) return sweep;
+        if (sweep % kSweepsALook != 0) continue;
+        std::array<double, 2> of_all{max_lanes(farthest), -smallest};
+        ranks.max(of_all);
+        if (std::sqrt(of_all[0]) <= -kSettled * of_all[1]) return sweep;
     }
     return most;
 }
@@ -76,7 +79,7 @@ CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std:
     Bodies& bodies = state.bodies;
     const Communicator& ranks = domain.ranks();
     const contact::ContactSet& contacts = near_.find(scene, state, step, candidates, domain);
-    if (!ranks.any(!contacts.empty())) {
+    if (near_.none()) {
         report.penetration = measure(contacts, bodies, ranks, closed);
         return report;
     }

@@ -31,7 +31,6 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     const contact::StepTimes times{state.time, step};
     StepReport report;
     report.step = step;
-    report.bodies = domain_.ranks().sum(static_cast<std::uint64_t>(state.bodies.owned()));
 
     // bodies at the middle of the step, and their contacts there
     move(state.bodies, 0.5 * step);
@@ -121,22 +120,37 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
     // all sums over bodies and contacts of this step, in one reduction
     constexpr std::size_t kWork = 0, kBefore = 3, kAfter = kBefore + kMomentumSums, kPlace = kAfter + kMomentumSums,
                           kWalls = kPlace + kPositionSums, kSums = kWalls + 4;
-    std::array<ExactSum, kSums> sums;
-    const std::span<ExactSum, kSums> all(sums);
+    sums_.assign(kSums + kLoadSums * loads.size(), ExactSum{});
+    const std::span<ExactSum, kSums> all = std::span(sums_).template first<kSums>();
     problem_.add_work(state, all.template subspan<kWork, 3>());
     add_momentum(state.bodies, all.template subspan<kBefore, kMomentumSums>());
     if (plan_.changing_gravity) add_weighted_position(state.bodies, all.template subspan<kPlace, kPositionSums>());
     problem_.velocities(state);
     add_momentum(state.bodies, all.template subspan<kAfter, kMomentumSums>());
     problem_.impulses(impulse_, impulse_normal_);
-    load_walls(state, all.template subspan<kWalls, 4>(), loads);
-    ranks.sum(all);
+    keep_for_warm_start(contacts_, impulse_, impulse_normal_, times.step, state.warm_start);
+    active_ = state.warm_start.key.size();
+    counts_.assign(2 + loads.size(), 0);
+    counts_[0] = state.bodies.owned();
+    counts_[1] = active_;
+    add_wall_loads(state, all.template subspan<kWalls, 4>(), std::span(sums_).subspan(kSums),
+                   std::span(counts_).subspan(2));
+    ranks.sum(std::span<ExactSum>(sums_));
+    ranks.sum(std::span<std::uint64_t>(counts_));
+    report.bodies = counts_[0];
+    report.active = counts_[1];
+    for (std::size_t w = 0; w < loads.size(); ++w) {
+        const ExactSum* load = sums_.data() + kSums + kLoadSums * w;
+        loads[w].impulse -= Vec3(load[0].value(), load[1].value(), load[2].value());
+        loads[w].angular -= Vec3(load[3].value(), load[4].value(), load[5].value());
+        loads[w].contacts += counts_[2 + w];
+    }
 
     Ledger& ledger = state.ledger;
-    ledger[Work::restitution] += sums[kWork].value();
-    ledger[Work::friction] += sums[kWork + 1].value();
-    ledger.gained += sums[kWork + 2].value();
-    ledger[Work::walls] += sums[kWalls + 3].value();
+    ledger[Work::restitution] += all[kWork].value();
+    ledger[Work::friction] += all[kWork + 1].value();
+    ledger.gained += all[kWork + 2].value();
+    ledger[Work::walls] += all[kWalls + 3].value();
     const Momentum before = read_momentum(all.template subspan<kBefore, kMomentumSums>());
     const Momentum after = read_momentum(all.template subspan<kAfter, kMomentumSums>());
     if (plan_.changing_gravity) {  // potential energy that comes with gravity itself, see core/ledger.hpp
@@ -147,46 +161,34 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
     }
     if (!std::isfinite(after.size))
         throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
-    const Vec3 from_walls(sums[kWalls].value(), sums[kWalls + 1].value(), sums[kWalls + 2].value());
+    const Vec3 from_walls(all[kWalls].value(), all[kWalls + 1].value(), all[kWalls + 2].value());
     const Vec3 error = after.sum - before.sum - times.step * after.mass * gravity - from_walls;
     // bodies at rest have no momentum to compare with: the step's weight stands in
     const double size = after.size + times.step * after.mass * gravity.norm();
     if (size > 0.0) report.momentum_error = error.norm() / size;
-
-    keep_for_warm_start(contacts_, impulse_, impulse_normal_, times.step, state.warm_start);
-    active_ = state.warm_start.key.size();
-    report.active = ranks.sum(static_cast<std::uint64_t>(active_));
 }
 
-// Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work.
+// Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work; `load`: impulse and
+// angular impulse of each wall, `contacts`: how many.
 template <class Law>
-void Substep<Law>::load_walls(const State& state, std::span<ExactSum, 4> sums, std::vector<WallLoad>& loads) {
-    load_sums_.assign(kLoadSums * loads.size(), ExactSum{});
-    load_contacts_.assign(loads.size(), 0);
+void Substep<Law>::add_wall_loads(const State& state, std::span<ExactSum, 4> sums, std::span<ExactSum> load,
+                                  std::span<std::uint64_t> contacts) const {
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         const contact::Contact& contact = contacts_[c];
         if (!contact.key.is_wall()) continue;
         const Vec3 p = Law::kImpulse == 3 ? impulse_[c] : Vec3(impulse_normal_[c] * contact.normal);
         if (p.isZero(0.0)) continue;
         const Vec3 turn = contact.point(state.bodies.position[contact.a], state.bodies.radius[contact.a]).cross(p);
-        ExactSum* load = load_sums_.data() + kLoadSums * contact.b;
+        ExactSum* of_wall = load.data() + kLoadSums * contact.b;
         for (int d = 0; d < 3; ++d) {
-            load[d].add(p[d]);
-            load[3 + d].add(turn[d]);
+            of_wall[d].add(p[d]);
+            of_wall[3 + d].add(turn[d]);
         }
-        ++load_contacts_[contact.b];
+        ++contacts[contact.b];
         if (!wall_velocity_.empty()) sums[3].add(p.dot(wall_velocity_[c]));
     }
-    for (std::size_t w = 0; w < loads.size(); ++w)
-        for (std::size_t d = 0; d < 3; ++d) sums[d].add(load_sums_[kLoadSums * w + d]);
-    domain_.ranks().sum(std::span<ExactSum>(load_sums_));
-    domain_.ranks().sum(std::span<std::uint64_t>(load_contacts_));
-    for (std::size_t w = 0; w < loads.size(); ++w) {
-        const ExactSum* load = load_sums_.data() + kLoadSums * w;
-        loads[w].impulse -= Vec3(load[0].value(), load[1].value(), load[2].value());
-        loads[w].angular -= Vec3(load[3].value(), load[4].value(), load[5].value());
-        loads[w].contacts += load_contacts_[w];
-    }
+    for (std::size_t w = 0; w < contacts.size(); ++w)
+        for (std::size_t d = 0; d < 3; ++d) sums[d].add(load[kLoadSums * w + d]);
 }
 
 template <class Law>

@@ -58,7 +58,8 @@ class Substep {
     void set_up(State& state, const contact::StepTimes& times);
     void start_impulses(const State& state, double step);
     void keep_ledger(State& state, const contact::StepTimes& times, StepReport& report, std::vector<WallLoad>& loads);
-    void load_walls(const State& state, std::span<ExactSum, 4> sums, std::vector<WallLoad>& loads);
+    void add_wall_loads(const State& state, std::span<ExactSum, 4> sums, std::span<ExactSum> load,
+                        std::span<std::uint64_t> contacts) const;
     void make_records(const State& state, const contact::StepTimes& times);
 
     const Scene& scene_;
@@ -70,8 +71,8 @@ class Substep {
     Layout layout_;
     ContactProblem<Law> problem_;
     PositionCorrection correction_;
-    std::vector<ExactSum> load_sums_;  // six a wall
-    std::vector<std::uint64_t> load_contacts_;
+    std::vector<ExactSum> sums_;         // of a step, over ranks
+    std::vector<std::uint64_t> counts_;  // bodies, contacts with an impulse, those of each wall
     std::size_t active_ = 0;                // contacts of this rank with an impulse
     std::vector<double> margin_;            // [m], n
     std::vector<Vec3> wall_velocity_;       // [m/s], one a contact; empty without moving walls

@@ -31,17 +31,11 @@ void Domain::start(State& state, const std::vector<double>& margin, double step)
     halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
 }
 
-bool Domain::cover(State& state, const std::vector<double>& margin, double step) {
-    if (alone() || !ranks_.any(!halo_.holds(state, margin, 0.0))) return false;
-    halo_.rebuild(partition_, {state.block_size, step, false}, margin, state);
-    return true;
-}
-
 bool Domain::settle(State& state, const std::vector<double>& margin, double step, const AddWork& add_work,
                     bool changed) {
     if (alone()) return false;
     const bool held = !changed || halo_.follow(state.bodies);
-    if (!ranks_.any(!held || !halo_.holds(state, margin, 0.5 * step))) return false;
+    if (!ranks_.any(!held || !halo_.holds(state, margin, 1.0))) return false;
     balance(state, add_work);
     halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
     return true;

@@ -22,10 +22,15 @@ class Domain {
     const Halo& halo() const { return halo_; }
     const Partition& partition() const { return partition_; }
 
-    // Collective. Makes sure that every rank holds what may touch its blocks while bodies stay within their margins [m]
-    // (one a body). Returns true if bodies were exchanged: indices have changed then. Bodies keep their owners.
-    bool cover(State& state, const std::vector<double>& margin, double step);
-    // The same at the end of a step, looking ahead to the middle of the next one; and bodies go to the owners of their
+    // Whether other ranks hold all of this rank's bodies that may touch their blocks while they stay within their
+    // margins [m] (one a body). Not collective.
+    bool covers(const State& state, const std::vector<double>& margin) { return halo_.holds(state, margin); }
+    // Makes it so on all ranks: bodies are exchanged, indices change. Bodies keep their owners. Collective.
+    void extend(State& state, const std::vector<double>& margin, double step) {
+        halo_.rebuild(partition_, {state.block_size, step, false}, margin, state);
+    }
+    // At the end of a step, looking ahead to the middle of the next one (no body moves by more than its margin until
+    // then): if the halo does not cover that on all ranks, it is made anew, and bodies go to the owners of their
     // blocks. `add_work` adds that of this rank's blocks in the last step, and is called only if bodies are dealt out
     // anew; when the largest share of a rank is too far above the mean, space is cut anew first. `changed`: bodies came
     // or went.

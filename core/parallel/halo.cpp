@@ -198,11 +198,11 @@ void Halo::index_neighbours() {
 }
 
 // New room for a body where it is now: as much of what it would like as its holders cover.
-bool Halo::renew(std::size_t i, const Bodies& bodies, double margin, double ahead) {
+bool Halo::renew(std::size_t i, const Bodies& bodies, double margin, double needed) {
     if (any_wide_ && ranks_.rank() != kWideRank) return false;
-    const double speed = bodies.velocity[i].norm(), needed = margin + ahead * speed;
     const Vec3& x = bodies.position[i];
-    double room = std::max(room_to_move(bodies.radius[i], speed, settings_.step, margin), needed);
+    double room =
+        std::max(room_to_move(bodies.radius[i], bodies.velocity[i].norm(), settings_.step, margin), needed);
     for (;; room = std::max(0.5 * room, needed)) {
         const Vec3 corner = Vec3::Constant(bodies.radius[i] + room + most_margin_);
         holders_.clear();
@@ -225,10 +225,10 @@ bool Halo::holds(const State& state, const std::vector<double>& margin, double a
     if (bodies.size() != place_.size()) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
-        if (margin[i] > most_margin_) return false;
-        const double left = room_[i] - margin[i] - ahead * bodies.velocity[i].norm();
+        if (!(margin[i] <= most_margin_)) return false;
+        const double needed = (1.0 + ahead) * margin[i], left = room_[i] - needed;
         if ((left < 0.0 || (bodies.position[i] - place_[i]).squaredNorm() > left * left) &&
-            !renew(i, bodies, margin[i], ahead))
+            !renew(i, bodies, margin[i], needed))
             return false;
     }
     return true;

@@ -47,9 +47,9 @@ class Halo {
     // Bodies went: those that are left keep their holders. False if there are new ones. Not collective; after it, the
     // indices of bodies are those of now.
     bool follow(const Bodies& bodies);
-    // Whether the ranks that hold a body of this rank are still enough, also after it has moved on for `ahead` [s]. Not
-    // collective.
-    bool holds(const State& state, const std::vector<double>& margin, double ahead);
+    // Whether the ranks that hold a body of this rank are still enough, also after it has moved on by `ahead` times its
+    // margin. Not collective.
+    bool holds(const State& state, const std::vector<double>& margin, double ahead = 0.0);
 
     // Another rank that holds bodies of this one, and which: indices into state.bodies, in order of id, the same list
     // on both sides.
@@ -80,7 +80,7 @@ class Halo {
         double x, y, z, radius;
     };
     void keep_holders(const Bodies& bodies);
-    bool renew(std::size_t i, const Bodies& bodies, double margin, double ahead);
+    bool renew(std::size_t i, const Bodies& bodies, double margin, double needed);
     std::vector<WideBall> gather_wide(const Bodies& bodies, const Settings& settings,
                                       const std::vector<double>& room) const;
     std::vector<BodyMessage> decide(const Partition& partition, const Settings& settings, const Bodies& bodies,
