@@ -5,95 +5,116 @@
 namespace scree::contact {
 namespace {
 
-constexpr double kStepsAhead = 10.0;  // a list should last this many steps,
-constexpr double kLeastSlack = 0.03;  // a resting body may move by this share of its radius,
-constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wide lists cost more than new ones
+constexpr double kStepsAhead = 10.0;  // a body is looked at again after this many steps,
+constexpr double kLeastSlack = 0.03;  // a resting one when it has moved by this share of its radius,
+constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wide lists cost more than new looks
+// The list is made anew when a body in this many moved since the last update, or in this many since it was last made
+// anew, or when so many pairs were added. To look at one body alone costs ten times its share of a new list.
+constexpr std::size_t kMovedAtOnce = 32, kLoose = 16, kAdded = 16;
 
 }  // namespace
-
-bool CandidateList::still_holds(const State& state, double time, const std::vector<double>& margin) const {
-    const Bodies& bodies = state.bodies;
-    if (!valid_ || bodies.id != id_ || time > valid_until_) return false;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const double room = slack_[i] - margin[i];
-        const double dx = bodies.position[i].x() - ball_[i].x, dy = bodies.position[i].y() - ball_[i].y,
-                     dz = bodies.position[i].z() - ball_[i].z;
-        if (room < 0.0 || dx * dx + dy * dy + dz * dz > room * room) return false;
-    }
-    return true;
-}
 
 bool CandidateList::bring(const Scene& scene, const State& state, double step, double time,
                           const std::vector<double>& margin, const Communicator& ranks) {
     place_walls(scene, time, state.time + 0.5 * step);
     margin_ = margin;
-    if (!ranks.any(!still_holds(state, time, margin))) return false;
-    const Bodies& bodies = state.bodies;
-    const std::size_t n = bodies.size();
-    ball_.resize(n);
-    slack_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double travel = kStepsAhead * step * bodies.velocity[i].norm();
-        slack_[i] = 1.5 * margin[i] + std::clamp(travel, kLeastSlack * bodies.radius[i], kMostSlack * bodies.radius[i]);
-        const Vec3& x = bodies.position[i];
-        ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
+    const std::size_t n = state.bodies.size();
+    const bool matched = indices_hold_ && id_.size() == n ? true : match_bodies(state.bodies.id);
+    if (matched) find_moved(state);
+    if (ranks.any(!matched || moved_.size() * kMovedAtOnce > n || loose_.size() * kLoose > n ||
+                  partners_.size() > pairs_at_rebuild_ + n / kAdded)) {
+        rebuild_pairs(state, step);
+        bring_walls(scene, state, step, time, true);
+        return true;
     }
-    id_ = bodies.id;
-    rebuild_pairs(n);
-    rebuild_walls(scene, state, step, time);
-    valid_ = true;
-    ++rebuilds_;
+    const bool more_pairs = add_pairs_of_moved(state, step);
+    const bool more_walls = bring_walls(scene, state, step, time, time < walls_from_ || time > walls_until_);
+    return more_pairs || more_walls;
+}
+
+// Bodies are where their ids are now: the list follows. False if too many came or went.
+bool CandidateList::match_bodies(const std::vector<BodyId>& id) {
+    indices_hold_ = true;
+    const std::size_t n = id.size(), old = id_.size();
+    std::vector<std::uint32_t> place(old, SortedRows::kGone);
+    std::size_t known = 0;
+    for (std::size_t i = 0, k = 0; i < n && k < old;) {
+        if (id[i] == id_[k]) place[k] = static_cast<std::uint32_t>(i), ++known;
+        const bool next = id[i] <= id_[k], next_old = id_[k] <= id[i];
+        i += next ? 1 : 0;
+        k += next_old ? 1 : 0;
+    }
+    id_ = id;
+    if ((n + old - 2 * known) * kMovedAtOnce > n) return false;
+    if (known == n && known == old) return true;
+    std::vector<Ball> ball(n);
+    std::vector<double> slack(n, -1.0);
+    for (std::size_t k = 0; k < old; ++k) {
+        if (place[k] == SortedRows::kGone) continue;
+        ball[place[k]] = ball_[k];
+        slack[place[k]] = slack_[k];
+    }
+    ball_.swap(ball);
+    slack_.swap(slack);
+    grid_.rename(place, n);
+    for (std::uint32_t& i : loose_) i = place[i];
+    std::erase(loose_, SortedRows::kGone);
+    partners_.move_rows(place, n, true);
+    walls_.move_rows(place, n, false);
     return true;
 }
 
-void CandidateList::follow(const std::vector<BodyId>& id) {
-    if (!valid_ || id == id_) return;
-    if (!std::includes(id_.begin(), id_.end(), id.begin(), id.end())) {
-        valid_ = false;
-        return;
+void CandidateList::find_moved(const State& state) {
+    const std::vector<Vec3>& position = state.bodies.position;
+    moved_.clear();
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        const double room = slack_[i] - margin_[i];
+        const double dx = position[i].x() - ball_[i].x, dy = position[i].y() - ball_[i].y,
+                     dz = position[i].z() - ball_[i].z;
+        if (room < 0.0 || dx * dx + dy * dy + dz * dz > room * room) moved_.push_back(static_cast<std::uint32_t>(i));
     }
-    constexpr std::uint32_t kGone = 0xffffffffU;
-    std::vector<std::uint32_t> now(id_.size(), kGone);  // index of each body of the list
-    std::uint32_t next = 0;
-    for (std::size_t i = 0; i < id_.size() && next < id.size(); ++i)
-        if (id_[i] == id[next]) now[i] = next++;
-    // what is kept moves down in the arrays, never up
-    std::uint32_t pairs = 0, walls = 0, begin = 0, wall_begin = 0;
-    for (std::size_t i = 0; i < id_.size(); ++i) {
-        const std::uint32_t end = partner_begin_[i + 1], wall_end = wall_begin_[i + 1];
-        if (now[i] != kGone) {
-            for (std::uint32_t k = begin; k < end; ++k)
-                if (now[partner_[k]] != kGone) partner_[pairs++] = now[partner_[k]];
-            for (std::uint32_t k = wall_begin; k < wall_end; ++k) wall_[walls++] = wall_[k];
-            ball_[now[i]] = ball_[i];
-            slack_[now[i]] = slack_[i];
-            partner_begin_[now[i] + 1] = pairs;
-            wall_begin_[now[i] + 1] = walls;
-        }
-        begin = end;
-        wall_begin = wall_end;
-    }
-    ball_.resize(id.size());
-    slack_.resize(id.size());
-    partner_begin_.resize(id.size() + 1);
-    wall_begin_.resize(id.size() + 1);
-    partner_.resize(pairs);
-    wall_.resize(walls);
-    id_ = id;
 }
 
-// A body has few partners: they are dealt out by body, then sorted body by body.
-void CandidateList::rebuild_pairs(std::size_t n) {
+void CandidateList::look_at(const State& state, double step, std::size_t i) {
+    const Bodies& bodies = state.bodies;
+    const double travel = kStepsAhead * step * bodies.velocity[i].norm();
+    slack_[i] = 1.5 * margin_[i] + std::clamp(travel, kLeastSlack * bodies.radius[i], kMostSlack * bodies.radius[i]);
+    const Vec3& x = bodies.position[i];
+    ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
+}
+
+void CandidateList::rebuild_pairs(const State& state, double step) {
+    const std::size_t n = state.bodies.size();
+    ball_.resize(n);
+    slack_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) look_at(state, step, i);
+    moved_.clear();
+    loose_.clear();
     pair_.clear();
     grid_.find_pairs(ball_, pair_);
-    partner_begin_.assign(n + 1, 0);
-    partner_.resize(pair_.size());
-    for (const BodyPair& p : pair_) ++partner_begin_[p.first];
-    std::uint32_t end = 0;
-    for (std::uint32_t& at : partner_begin_) at = end += at;
-    for (const BodyPair& p : pair_) partner_[--partner_begin_[p.first]] = p.second;
-    for (std::size_t i = 0; i < n; ++i)
-        std::sort(partner_.begin() + partner_begin_[i], partner_.begin() + partner_begin_[i + 1]);
+    partners_.assign(n, pair_);
+    pairs_at_rebuild_ = pair_.size();
+    ++rebuilds_;
+}
+
+// Returns true if there are new pairs.
+bool CandidateList::add_pairs_of_moved(const State& state, double step) {
+    if (moved_.empty()) return false;
+    for (const std::uint32_t i : moved_) {
+        if (grid_.holds(i))
+            grid_.take_out(i), loose_.push_back(i);
+        else if (slack_[i] < 0.0)
+            loose_.push_back(i);
+        look_at(state, step, i);
+    }
+    pair_.clear();
+    for (const std::uint32_t i : moved_) {
+        const Ball& ball = ball_[i];
+        grid_.find_partners(i, ball, pair_);
+        for (const std::uint32_t k : loose_)
+            if (k != i && overlap(ball, ball_[k])) pair_.emplace_back(std::min(i, k), std::max(i, k));
+    }
+    return partners_.insert(pair_);
 }
 
 void CandidateList::place_walls(const Scene& scene, double time, double present_at) {
@@ -104,37 +125,49 @@ void CandidateList::place_walls(const Scene& scene, double time, double present_
     }
 }
 
-void CandidateList::rebuild_walls(const Scene& scene, const State& state, double step, double time) {
-    const std::size_t n = state.bodies.size();
-    const double life = kStepsAhead * step;
-    valid_until_ = kForever;
-    for (const WallFrame& frame : frame_)
-        if (frame.moves) valid_until_ = time + life;
-    wall_begin_.assign(n + 1, 0);
-    wall_.clear();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec3 x(ball_[i].x, ball_[i].y, ball_[i].z);
-        for (std::uint32_t w = 0; w < frame_.size(); ++w) {
-            const Wall& wall = scene.walls[w];
-            double reach = slack_[i];
-            if (frame_[w].moves) reach += life * speed_bound(wall.motion, x, ball_[i].radius, time, life);
-            const Vec3 local = frame_[w].pose.to_local(x);
-            const double width = state.bodies.radius[i] + reach;
-            if ((local - frame_[w].bounds.lower).minCoeff() < -width ||
-                (frame_[w].bounds.upper - local).minCoeff() < -width)
-                continue;
-            WallContacts found;
-            find_contacts(wall.shape, local, state.bodies.radius[i], reach, found);
-            if (found.count > 0) wall_.push_back(w);
-        }
-        wall_begin_[i + 1] = static_cast<std::uint32_t>(wall_.size());
+bool CandidateList::near_wall(const Scene& scene, const State& state, double step, double time, std::size_t i,
+                              std::uint32_t w) const {
+    const Wall& wall = scene.walls[w];
+    const Vec3 x(ball_[i].x, ball_[i].y, ball_[i].z);
+    const double radius = state.bodies.radius[i];
+    double reach = slack_[i];
+    if (frame_[w].moves)
+        reach += kStepsAhead * step * speed_bound(wall.motion, x, ball_[i].radius, time, kStepsAhead * step);
+    const Vec3 local = frame_[w].moves ? frame_[w].pose.to_local(x) : x;
+    const double width = radius + reach;
+    if ((local - frame_[w].bounds.lower).minCoeff() < -width || (frame_[w].bounds.upper - local).minCoeff() < -width)
+        return false;
+    WallContacts found;
+    find_contacts(wall.shape, local, radius, reach, found);
+    return found.count > 0;
+}
+
+void CandidateList::list_walls_near(const Scene& scene, const State& state, double step, double time, std::uint32_t i) {
+    for (std::uint32_t w = 0; w < frame_.size(); ++w)
+        if (near_wall(scene, state, step, time, i, w)) near_wall_.emplace_back(i, w);
+}
+
+// Of all bodies, or of those that moved. Returns true if there may be new ones.
+bool CandidateList::bring_walls(const Scene& scene, const State& state, double step, double time, bool all) {
+    near_wall_.clear();
+    if (!all) {
+        for (const std::uint32_t i : moved_) list_walls_near(scene, state, step, time, i);
+        return walls_.insert(near_wall_);
     }
+    const auto n = static_cast<std::uint32_t>(state.bodies.size());
+    for (std::uint32_t i = 0; i < n; ++i) list_walls_near(scene, state, step, time, i);
+    walls_.assign(n, near_wall_);
+    walls_from_ = -kForever;
+    walls_until_ = kForever;
+    for (const WallFrame& frame : frame_)
+        if (frame.moves) walls_from_ = time, walls_until_ = time + kStepsAhead * step;
+    return true;
 }
 
 std::size_t CandidateList::bytes() const {
-    return grid_.bytes() + ball_.capacity() * sizeof(Ball) + (slack_.capacity() + margin_.capacity()) * 8 +
-           pair_.capacity() * sizeof(BodyPair) +
-           (partner_begin_.capacity() + wall_begin_.capacity() + partner_.capacity() + wall_.capacity()) * 4;
+    return grid_.bytes() + ball_.capacity() * sizeof(Ball) +
+           (id_.capacity() + slack_.capacity() + margin_.capacity()) * 8 + (loose_.capacity() + moved_.capacity()) * 4 +
+           partners_.bytes() + walls_.bytes() + (pair_.capacity() + near_wall_.capacity()) * sizeof(BodyPair);
 }
 
 }  // namespace scree::contact

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contact/cell_grid.hpp"
+#include "contact/sorted_rows.hpp"
 #include "contact/walls/wall_contact.hpp"
 #include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
@@ -29,52 +30,56 @@ class CandidateList {
   public:
     // Makes sure that the list holds all that is within the margins [m], one a body, of the positions in state.bodies:
     // those of the middle of the step from state.time on, or those of its end. Walls stand where they are then.
-    // Returns true if the list was made anew.
-    // Collective: all ranks make it anew together, or each would wait for the others in turn.
+    // Returns true if the list may hold pairs or walls that it did not hold before.
+    // `ranks`: those who make their lists anew together, lest each waits for the others in turn; update() is
+    // collective.
     bool update(const Scene& scene, const State& state, double step, const std::vector<double>& margin,
                 const Communicator& ranks = Communicator::self()) {
         return bring(scene, state, step, state.time + 0.5 * step, margin, ranks);
     }
-    bool update_at_end(const Scene& scene, const State& state, double step, const std::vector<double>& margin,
-                       const Communicator& ranks = Communicator::self()) {
-        return bring(scene, state, step, state.time + step, margin, ranks);
+    bool update_at_end(const Scene& scene, const State& state, double step, const std::vector<double>& margin) {
+        return bring(scene, state, step, state.time + step, margin, Communicator::self());
     }
-    // Bodies went, or changed places in the arrays in order of id: the list goes on with those that are left. If there
-    // are new ones it is forgotten.
-    void follow(const std::vector<BodyId>& id);
+    // Bodies came, went or changed places in the arrays; they are known by their ids.
+    void invalidate() { indices_hold_ = false; }
 
     // Partners j > i of body i, increasing; walls near body i, increasing.
-    std::span<const std::uint32_t> partners(std::size_t i) const {
-        return {partner_.data() + partner_begin_[i], partner_.data() + partner_begin_[i + 1]};
-    }
-    std::span<const std::uint32_t> walls(std::size_t i) const {
-        return {wall_.data() + wall_begin_[i], wall_.data() + wall_begin_[i + 1]};
-    }
+    std::span<const std::uint32_t> partners(std::size_t i) const { return partners_[i]; }
+    std::span<const std::uint32_t> walls(std::size_t i) const { return walls_[i]; }
     double margin(std::size_t i) const { return margin_[i]; }             // [m] of the last update
     const std::vector<WallFrame>& wall_frames() const { return frame_; }  // one a wall of the scene
-    std::uint64_t rebuilds() const { return rebuilds_; }
+    std::uint64_t rebuilds() const { return rebuilds_; }                  // lists made anew, all bodies at once
     std::size_t bytes() const;
 
   private:
     bool bring(const Scene& scene, const State& state, double step, double time, const std::vector<double>& margin,
                const Communicator& ranks);
     void place_walls(const Scene& scene, double time, double present_at);
-    bool still_holds(const State& state, double time, const std::vector<double>& margin) const;
-    void rebuild_pairs(std::size_t n);
-    void rebuild_walls(const Scene& scene, const State& state, double step, double time);
+    bool match_bodies(const std::vector<BodyId>& id);
+    void find_moved(const State& state);
+    void look_at(const State& state, double step, std::size_t i);
+    void rebuild_pairs(const State& state, double step);
+    bool add_pairs_of_moved(const State& state, double step);
+    bool near_wall(const Scene& scene, const State& state, double step, double time, std::size_t i,
+                   std::uint32_t w) const;
+    void list_walls_near(const Scene& scene, const State& state, double step, double time, std::uint32_t i);
+    bool bring_walls(const Scene& scene, const State& state, double step, double time, bool all);
 
-    bool valid_ = false;
-    double valid_until_ = 0.0;  // [s] the last time that the reach of moving walls covers
+    bool indices_hold_ = false;
+    double walls_from_ = 0.0, walls_until_ = 0.0;  // [s] times that the reach of moving walls covers
     std::vector<WallFrame> frame_;
     std::vector<double> margin_;
     std::uint64_t rebuilds_ = 0;
-    CellGrid grid_;
-    std::vector<BodyId> id_;     // n
-    std::vector<Ball> ball_;     // n, where the list was made; radius r + s
-    std::vector<double> slack_;  // [m] s, n
+    std::vector<BodyId> id_;            // n, as of the last update
+    std::vector<Ball> ball_;            // n, where the body was last looked at; radius r + s
+    std::vector<double> slack_;         // [m] s, n; negative: never looked at
+    CellGrid grid_;                     // balls of the last list made anew, but for
+    std::vector<std::uint32_t> loose_;  // those looked at since, which are in no grid; in no order
+    std::vector<std::uint32_t> moved_;  // to be looked at, increasing
+    SortedRows partners_, walls_;
+    std::size_t pairs_at_rebuild_ = 0;
     std::vector<BodyPair> pair_;
-    std::vector<std::uint32_t> partner_begin_, wall_begin_;  // n + 1
-    std::vector<std::uint32_t> partner_, wall_;
+    std::vector<SortedRows::Entry> near_wall_;
 };
 
 }  // namespace scree::contact

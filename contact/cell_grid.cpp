@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/radix_sort.hpp"
@@ -20,7 +21,9 @@ BodyPair ordered(std::uint32_t i, std::uint32_t j) {
 }  // namespace
 
 std::int64_t CellGrid::Level::index(double at, int direction) const {
-    return static_cast<std::int64_t>(std::floor((at - lower[direction]) / width)) + 1;
+    // what lies far outside is outside
+    const double cells = std::clamp((at - lower[direction]) / width, -2.0, std::ldexp(1.0, kKeyBits));
+    return static_cast<std::int64_t>(std::floor(cells)) + 1;
 }
 
 std::uint64_t CellGrid::Level::pack(std::int64_t i, std::int64_t j, std::int64_t k) const {
@@ -81,12 +84,12 @@ void CellGrid::fill(Level& level, const std::vector<Ball>& balls, const std::vec
 // packs are kept before they are walked, for a walk whose length nobody can foretell costs as much as some packs.
 class CellGrid::Search {
   public:
-    Search(const Level& own, std::uint32_t m, const Level& level, std::vector<BodyPair>& pairs)
-        : body_(own.body[m]),
-          x_(Pack::all(own.x[m])),
-          y_(Pack::all(own.y[m])),
-          z_(Pack::all(own.z[m])),
-          radius_(Pack::all(own.radius[m])),
+    Search(std::uint32_t body, const Ball& ball, const Level& level, std::vector<BodyPair>& pairs)
+        : body_(body),
+          x_(Pack::all(ball.x)),
+          y_(Pack::all(ball.y)),
+          z_(Pack::all(ball.z)),
+          radius_(Pack::all(ball.radius)),
           level_(level),
           pairs_(pairs) {}
     ~Search() { walk(); }
@@ -149,39 +152,69 @@ void CellGrid::pairs_within(const Level& level, std::vector<BodyPair>& pairs) {
             to[r] = level.begin[q];
         }
         for (std::uint32_t m = begin; m < end; ++m) {
-            Search search(level, m, level, pairs);
+            Search search(level.body[m], level.ball(m), level, pairs);
             search.look(m + 1, own_end);
             for (int r = 0; r < 4; ++r) search.look(from[r], to[r]);
         }
     }
 }
 
-void CellGrid::pairs_between(const Level& fine, const Level& coarse, std::vector<BodyPair>& pairs) {
-    for (std::uint32_t m = 0; m < fine.body.size(); ++m) {
-        // a partner's centre is at most radius + width / 2 away
-        const double reach = fine.radius[m] + 0.5 * coarse.width;
-        std::int64_t low[3], high[3];
-        const double x[3] = {fine.x[m], fine.y[m], fine.z[m]};
-        bool near = true;
-        for (int d = 0; d < 3; ++d) {
-            const std::int64_t cells = (std::int64_t{1} << coarse.bits[d]) - 1;
-            low[d] = std::max<std::int64_t>(coarse.index(x[d] - reach, d), 0);
-            high[d] = std::min<std::int64_t>(coarse.index(x[d] + reach, d), cells);
-            near = near && low[d] <= high[d];
-        }
-        if (!near) continue;
-        Search search(fine, m, coarse, pairs);
-        for (std::int64_t z = low[2]; z <= high[2]; ++z)
-            for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-                const auto from = std::lower_bound(coarse.key.begin(), coarse.key.end(), coarse.pack(low[0], y, z));
-                const auto to = std::upper_bound(from, coarse.key.end(), coarse.pack(high[0], y, z));
-                search.look(coarse.begin[static_cast<std::size_t>(from - coarse.key.begin())],
-                            coarse.begin[static_cast<std::size_t>(to - coarse.key.begin())]);
-            }
+void CellGrid::find_in(const Level& level, std::uint32_t body, const Ball& ball, std::vector<BodyPair>& pairs) {
+    // a partner's centre is at most radius + width / 2 away
+    const double reach = ball.radius + 0.5 * level.width;
+    std::int64_t low[3], high[3];
+    const double x[3] = {ball.x, ball.y, ball.z};
+    double rows = 1.0;
+    for (int d = 0; d < 3; ++d) {
+        const std::int64_t cells = (std::int64_t{1} << level.bits[d]) - 1;
+        low[d] = std::max<std::int64_t>(level.index(x[d] - reach, d), 0);
+        high[d] = std::min<std::int64_t>(level.index(x[d] + reach, d), cells);
+        if (low[d] > high[d]) return;
+        if (d > 0) rows *= static_cast<double>(high[d] - low[d] + 1);
     }
+    Search search(body, ball, level, pairs);
+    const auto all = static_cast<std::uint32_t>(level.body.size());
+    if (rows * kLanes > all) return search.look(0, all);  // a large ball among small ones: no row by row
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+            const auto from = std::lower_bound(level.key.begin(), level.key.end(), level.pack(low[0], y, z));
+            const auto to = std::upper_bound(from, level.key.end(), level.pack(high[0], y, z));
+            search.look(level.begin[static_cast<std::size_t>(from - level.key.begin())],
+                        level.begin[static_cast<std::size_t>(to - level.key.begin())]);
+        }
+}
+
+void CellGrid::pairs_between(const Level& fine, const Level& coarse, std::vector<BodyPair>& pairs) {
+    for (std::uint32_t m = 0; m < fine.body.size(); ++m) find_in(coarse, fine.body[m], fine.ball(m), pairs);
+}
+
+void CellGrid::find_partners(std::uint32_t body, const Ball& ball, std::vector<BodyPair>& pairs) const {
+    for (const Level& level : levels_) find_in(level, body, ball, pairs);
+}
+
+void CellGrid::take_out(std::uint32_t body) {
+    const Place place = place_[body];
+    levels_[place.level].radius[place.index] = std::numeric_limits<double>::quiet_NaN();
+    place_[body].level = kNowhere;
+}
+
+void CellGrid::rename(const std::vector<std::uint32_t>& name, std::size_t count) {
+    std::vector<Place> renamed(count);
+    for (std::uint32_t i = 0; i < place_.size(); ++i) {
+        if (!holds(i)) continue;
+        if (name[i] == kGone) {
+            take_out(i);
+            continue;
+        }
+        levels_[place_[i].level].body[place_[i].index] = name[i];
+        renamed[name[i]] = place_[i];
+    }
+    place_.swap(renamed);
 }
 
 void CellGrid::find_pairs(const std::vector<Ball>& balls, std::vector<BodyPair>& pairs) {
+    levels_.resize(balls.empty() ? 0 : levels_.size());
+    place_.assign(balls.size(), {});
     if (balls.empty()) return;
     // A ball of radius r lives where width / 4 < r <= width / 2, a power of two; when all radii lie within a factor of
     // two, the widest ball sets the width of the one level instead.
@@ -197,7 +230,10 @@ void CellGrid::find_pairs(const std::vector<Ball>& balls, std::vector<BodyPair>&
     std::size_t k = 0;
     for (const auto& [exponent, bodies] : of_level) {
         levels_[k].width = one_level ? 2.0 * largest : 4.0 * std::ldexp(1.0, exponent);
-        fill(levels_[k++], balls, bodies);
+        fill(levels_[k], balls, bodies);
+        for (std::uint32_t m = 0; m < bodies.size(); ++m)
+            place_[levels_[k].body[m]] = {static_cast<std::uint32_t>(k), m};
+        ++k;
     }
     for (std::size_t fine = 0; fine < levels_.size(); ++fine) {
         pairs_within(levels_[fine], pairs);
@@ -207,7 +243,7 @@ void CellGrid::find_pairs(const std::vector<Ball>& balls, std::vector<BodyPair>&
 }
 
 std::size_t CellGrid::bytes() const {
-    std::size_t sum = (keyed_.capacity() + scratch_.capacity()) * sizeof(Keyed);
+    std::size_t sum = (keyed_.capacity() + scratch_.capacity()) * sizeof(Keyed) + place_.capacity() * sizeof(Place);
     for (const Level& level : levels_)
         sum += level.key.capacity() * 8 + (level.begin.capacity() + level.body.capacity()) * 4 +
                (level.x.capacity() + level.y.capacity() + level.z.capacity() + level.radius.capacity()) * 8;

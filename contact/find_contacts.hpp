@@ -17,9 +17,8 @@ struct StepTimes {
 };
 
 // How far each body can close a gap in half a step [m]: look_ahead * (h/2) (|v| + h |g|), at least with look_ahead 1.
-// Throws PhysicsError if a position or velocity, on any rank, is not finite.
-void contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin,
-                     const Communicator& ranks = Communicator::self());
+// False if a position or velocity is not finite: no grid can hold what is nowhere.
+bool contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin);
 
 // `state.bodies.position` holds q_m, `velocity` and `spin` are those at the start of the step.
 // `candidates` were updated for this step. Contacts come out in order of key, on each rank those that it solves.

@@ -81,7 +81,7 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
     const auto look = [&] {
         // every overlap is in the list as long as the list holds what touches
         push_.assign(state.bodies.size(), 0.0);
-        candidates.update_at_end(scene, state, step, push_, domain.ranks());
+        candidates.update_at_end(scene, state, step, push_);
         listed_ = kSpare * 2.0 * deepest_;
         measure_gaps(scene, state, candidates);
         domain.halo().max_over_holders(push_);
@@ -89,8 +89,7 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
         if (none_) return;
         for (int ring = 0; ring <= kRings; ++ring) {
             // a wider push needs a wider list; what is measured again is the same
-            if (candidates.update_at_end(scene, state, step, push_, domain.ranks()))
-                measure_gaps(scene, state, candidates);
+            if (candidates.update_at_end(scene, state, step, push_)) measure_gaps(scene, state, candidates);
             list_wide_enough(state.bodies, candidates);
             if (ring == kRings) break;
             widen(state.bodies);
@@ -101,7 +100,7 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
     // pushes beyond what the halo covers: bodies are exchanged, and all is looked for again
     while (!domain.alone() && domain.ranks().any(!domain.covers(state, push_))) {
         domain.extend(state, push_, step);
-        candidates.follow(state.bodies.id);
+        candidates.invalidate();
         look();
     }
     collect(scene, state, candidates, domain);

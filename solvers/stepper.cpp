@@ -119,21 +119,21 @@ void Stepper::Impl::choose_blocks(State& state) {
 void Stepper::Impl::start(State& state) {
     choose_blocks(state);
     if (domain.started() || state.block_size == 0.0) return;
-    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
+    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin);
     domain.start(state, margin, scene.time.step);
-    std::visit([&state](auto& s) { s.bodies_changed(state); }, substep);
+    std::visit([](auto& s) { s.bodies_changed(); }, substep);
 }
 
 // Bodies to their ranks for the next step.
 void Stepper::Impl::settle(State& state, bool changed) {
-    if (changed) std::visit([&state](auto& s) { s.bodies_changed(state); }, substep);
+    if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
     if (domain.alone() || !domain.started()) return;
-    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin, ranks);
+    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin);
     const auto add_work = [this](std::vector<BlockWork>& work) {
         std::visit([&work](const auto& s) { s.add_work(work); }, substep);
     };
     if (domain.settle(state, margin, scene.time.step, add_work, changed))
-        std::visit([&state](auto& s) { s.bodies_changed(state); }, substep);
+        std::visit([](auto& s) { s.bodies_changed(); }, substep);
 }
 
 StepReport Stepper::Impl::advance(State& state) {

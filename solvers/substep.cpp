@@ -65,12 +65,18 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
 
 template <class Law>
 void Substep<Law>::find_contacts(State& state, const contact::StepTimes& times) {
-    contact::contact_margins(scene_, state, times, margin_, domain_.ranks());
-    if (domain_.cover(state, margin_, times.step)) {
-        candidates_.follow(state.bodies.id);
-        contact::contact_margins(scene_, state, times, margin_, domain_.ranks());
+    const Communicator& ranks = domain_.ranks();
+    const bool finite = contact::contact_margins(scene_, state, times, margin_);
+    std::array<std::uint64_t, 2> lacks{finite ? 0U : 1U, domain_.covers(state, margin_) ? 0U : 1U};
+    ranks.max(lacks);
+    if (lacks[0] != 0)
+        throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
+    if (lacks[1] != 0) {
+        domain_.extend(state, margin_, times.step);
+        candidates_.invalidate();
+        contact::contact_margins(scene_, state, times, margin_);
     }
-    candidates_.update(scene_, state, times.step, margin_, domain_.ranks());
+    candidates_.update(scene_, state, times.step, margin_, ranks);
     contact::find_contacts(scene_, state, times, candidates_, domain_, contacts_);
 }
 
@@ -168,8 +174,8 @@ void Substep<Law>::keep_ledger(State& state, const contact::StepTimes& times, St
     if (size > 0.0) report.momentum_error = error.norm() / size;
 }
 
-// Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work; `load`: impulse and
-// angular impulse of each wall, `contacts`: how many.
+// Adds what this rank's contacts did to the walls; `sums`: impulse from the walls (3) and their work; `load`: impulse
+// and angular impulse of each wall, `contacts`: how many.
 template <class Law>
 void Substep<Law>::add_wall_loads(const State& state, std::span<ExactSum, 4> sums, std::span<ExactSum> load,
                                   std::span<std::uint64_t> contacts) const {

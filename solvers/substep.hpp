@@ -44,7 +44,7 @@ class Substep {
     // From state.time to state.time + step. Adds to the loads on the walls.
     StepReport advance(State& state, double step, std::vector<WallLoad>& loads);
     // Bodies came, went or changed ranks.
-    void bodies_changed(const State& state) { candidates_.follow(state.bodies.id); }
+    void bodies_changed() { candidates_.invalidate(); }
     const std::vector<ContactRecord>& records() const { return records_; }
     // Appends the work of this rank's blocks in the last step.
     void add_work(std::vector<BlockWork>& work) const;
@@ -71,8 +71,8 @@ class Substep {
     Layout layout_;
     ContactProblem<Law> problem_;
     PositionCorrection correction_;
-    std::vector<ExactSum> sums_;         // of a step, over ranks
-    std::vector<std::uint64_t> counts_;  // bodies, contacts with an impulse, those of each wall
+    std::vector<ExactSum> sums_;            // of a step, over ranks
+    std::vector<std::uint64_t> counts_;     // bodies, contacts with an impulse, those of each wall
     std::size_t active_ = 0;                // contacts of this rank with an impulse
     std::vector<double> margin_;            // [m], n
     std::vector<Vec3> wall_velocity_;       // [m/s], one a contact; empty without moving walls
