@@ -51,7 +51,7 @@ std::vector<RankShare> share_out(const Scene& scene, const State& state, int ran
         const int owner = partition.owner(work[i].block);
         ++shares[static_cast<std::size_t>(owner)].bodies;
         const double room = room_to_move(bodies.radius[i], bodies.velocity[i].norm(), scene.time.step);
-        const Vec3 far = Vec3::Constant(bodies.radius[i] + room + margin_covered(0.0, size));
+        const Vec3 far = Vec3::Constant(reach(bodies.radius[i], room, margin_covered(0.0, size)));
         holders.clear();
         partition.owners(block_of(bodies.position[i] - far, size), block_of(bodies.position[i] + far, size), holders);
         for (const int rank : holders) shares[static_cast<std::size_t>(rank)].border += rank == owner ? 0 : 1;

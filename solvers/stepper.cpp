@@ -98,7 +98,6 @@ struct Stepper::Impl {
     }
     void start(State& state);
     void choose_blocks(State& state);
-    void settle(State& state, bool changed);
     StepReport advance(State& state);
 };
 
@@ -124,18 +123,6 @@ void Stepper::Impl::start(State& state) {
     std::visit([](auto& s) { s.bodies_changed(); }, substep);
 }
 
-// Bodies to their ranks for the next step.
-void Stepper::Impl::settle(State& state, bool changed) {
-    if (changed) std::visit([](auto& s) { s.bodies_changed(); }, substep);
-    if (domain.alone() || !domain.started()) return;
-    contact::contact_margins(scene, state, {state.time, scene.time.step}, margin);
-    const auto add_work = [this](std::vector<BlockWork>& work) {
-        std::visit([&work](const auto& s) { s.add_work(work); }, substep);
-    };
-    if (domain.settle(state, margin, scene.time.step, add_work, changed))
-        std::visit([](auto& s) { s.bodies_changed(); }, substep);
-}
-
 StepReport Stepper::Impl::advance(State& state) {
     start(state);
     std::fill(loads.begin(), loads.end(), WallLoad{});
@@ -154,7 +141,10 @@ StepReport Stepper::Impl::advance(State& state) {
     last_step = scene.time.step;
     bool changed = plan.outlets && take_bodies(scene, state, ranks);
     changed = (plan.inlets && make_bodies(scene, plan, state, ranks)) || changed;
-    settle(state, changed);
+    if (changed) {
+        domain.halo().follow(state.bodies);
+        std::visit([](auto& s) { s.bodies_changed(); }, substep);
+    }
     update_energies(scene, state, ranks);
     return whole;
 }

@@ -72,7 +72,7 @@ void Substep<Law>::find_contacts(State& state, const contact::StepTimes& times) 
     if (lacks[0] != 0)
         throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
     if (lacks[1] != 0) {
-        domain_.extend(state, margin_, times.step);
+        domain_.renew(state, margin_, times.step, [this](std::vector<BlockWork>& work) { add_work(work); });
         candidates_.invalidate();
         contact::contact_margins(scene_, state, times, margin_);
     }

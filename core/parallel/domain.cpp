@@ -31,16 +31,6 @@ void Domain::start(State& state, const std::vector<double>& margin, double step)
     halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
 }
 
-bool Domain::settle(State& state, const std::vector<double>& margin, double step, const AddWork& add_work,
-                    bool changed) {
-    if (alone()) return false;
-    const bool held = !changed || halo_.follow(state.bodies);
-    if (!ranks_.any(!held || !halo_.holds(state, margin, 1.0))) return false;
-    balance(state, add_work);
-    halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
-    return true;
-}
-
 void Domain::balance(const State& state, const AddWork& add_work) {
     std::vector<BlockWork> all;
     add_work(all);

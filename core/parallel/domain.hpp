@@ -25,17 +25,17 @@ class Domain {
     // Whether other ranks hold all of this rank's bodies that may touch their blocks while they stay within their
     // margins [m] (one a body). Not collective.
     bool covers(const State& state, const std::vector<double>& margin) { return halo_.holds(state, margin); }
-    // Makes it so on all ranks: bodies are exchanged, indices change. Bodies keep their owners. Collective.
+    // Makes it so on all ranks; indices of bodies change. Bodies keep their owners. Collective.
     void extend(State& state, const std::vector<double>& margin, double step) {
         halo_.rebuild(partition_, {state.block_size, step, false}, margin, state);
     }
-    // At the end of a step, looking ahead to the middle of the next one (no body moves by more than its margin until
-    // then): if the halo does not cover that on all ranks, it is made anew, and bodies go to the owners of their
-    // blocks. `add_work` adds that of this rank's blocks in the last step, and is called only if bodies are dealt out
-    // anew; when the largest share of a rank is too far above the mean, space is cut anew first. `changed`: bodies came
-    // or went.
+    // The same, and bodies go to the owners of their blocks; space is cut anew first if the largest share of a rank in
+    // the work is too far above the mean. `add_work` adds that of this rank's blocks in the last step.
     using AddWork = std::function<void(std::vector<BlockWork>&)>;
-    bool settle(State& state, const std::vector<double>& margin, double step, const AddWork& add_work, bool changed);
+    void renew(State& state, const std::vector<double>& margin, double step, const AddWork& add_work) {
+        balance(state, add_work);
+        halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
+    }
     // Before the first step: bodies lie on any ranks.
     void start(State& state, const std::vector<double>& margin, double step);
     // Blocks have another size: partition and halo mean nothing until start() is called again.

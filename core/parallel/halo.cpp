@@ -21,6 +21,9 @@ double room_to_move(double radius, double speed, double step, double margin) {
 double margin_covered(double largest, double block_size) {
     return kMoreMargin * largest + kLeastMargin * block_size;
 }
+double reach(double radius, double room, double covered) {
+    return radius + room + 0.5 * covered;
+}
 
 void Halo::rebuild(const Partition& partition, const Settings& settings, const std::vector<double>& margin,
                    State& state) {
@@ -28,6 +31,7 @@ void Halo::rebuild(const Partition& partition, const Settings& settings, const s
     ++rebuilds_;
     partition_ = &partition;
     settings_ = settings;
+    outdated_ = false;
     Bodies& bodies = state.bodies;
     keep_holders(bodies);
     double most = 0.0;
@@ -51,7 +55,7 @@ std::vector<Halo::WideBall> Halo::gather_wide(const Bodies& bodies, const Settin
                                               const std::vector<double>& room) const {
     Packer own;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const double reach = bodies.radius[i] + room[i] + most_margin_;
+        const double reach = scree::reach(bodies.radius[i], room[i], most_margin_);
         if (bodies.is_ghost(i) || 2.0 * reach < settings.block_size) continue;
         const Vec3& x = bodies.position[i];
         own.put(WideBall{x.x(), x.y(), x.z(), reach});
@@ -81,7 +85,7 @@ std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings
         const Vec3& x = bodies.position[i];
         BodyMessage body{raw(bodies.id[i]), ranks_.rank(), room[i], {}, true, body_data(bodies, i)};
         if (settings.migrate) body.owner = partition.owner(block_of(x, settings.block_size));
-        const double reach = bodies.radius[i] + room[i] + most_margin_;
+        const double reach = scree::reach(bodies.radius[i], room[i], most_margin_);
         const Vec3 corner = Vec3::Constant(reach);
         holders.clear();
         partition.owners(block_of(x - corner, settings.block_size), block_of(x + corner, settings.block_size), holders);
@@ -164,9 +168,12 @@ void Halo::keep_holders(const Bodies& bodies) {
     other_ = std::move(other);
 }
 
-bool Halo::follow(const Bodies& bodies) {
-    if (ranks_.alone() || bodies.id == id_) return true;
-    if (!std::includes(id_.begin(), id_.end(), bodies.id.begin(), bodies.id.end())) return false;
+void Halo::follow(const Bodies& bodies) {
+    if (ranks_.alone() || bodies.id == id_) return;
+    if (!std::includes(id_.begin(), id_.end(), bodies.id.begin(), bodies.id.end())) {
+        outdated_ = true;
+        return;
+    }
     keep_holders(bodies);
     std::size_t k = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i, ++k) {
@@ -178,7 +185,6 @@ bool Halo::follow(const Bodies& bodies) {
     room_.resize(bodies.size());
     id_ = bodies.id;
     index_neighbours();
-    return true;
 }
 
 void Halo::index_neighbours() {
@@ -198,13 +204,12 @@ void Halo::index_neighbours() {
 }
 
 // New room for a body where it is now: as much of what it would like as its holders cover.
-bool Halo::renew(std::size_t i, const Bodies& bodies, double margin, double needed) {
+bool Halo::renew(std::size_t i, const Bodies& bodies, double margin) {
     if (any_wide_ && ranks_.rank() != kWideRank) return false;
     const Vec3& x = bodies.position[i];
-    double room =
-        std::max(room_to_move(bodies.radius[i], bodies.velocity[i].norm(), settings_.step, margin), needed);
-    for (;; room = std::max(0.5 * room, needed)) {
-        const Vec3 corner = Vec3::Constant(bodies.radius[i] + room + most_margin_);
+    double room = room_to_move(bodies.radius[i], bodies.velocity[i].norm(), settings_.step, margin);
+    for (;; room = std::max(0.5 * room, margin)) {
+        const Vec3 corner = Vec3::Constant(reach(bodies.radius[i], room, most_margin_));
         holders_.clear();
         partition_->owners(block_of(x - corner, settings_.block_size), block_of(x + corner, settings_.block_size),
                            holders_);
@@ -212,23 +217,23 @@ bool Halo::renew(std::size_t i, const Bodies& bodies, double margin, double need
             return rank == ranks_.rank() || std::binary_search(other_[i].begin(), other_[i].end(), rank);
         });
         if (covered) break;
-        if (room == needed) return false;
+        if (room == margin) return false;
     }
     place_[i] = x;
     room_[i] = room;
     return true;
 }
 
-bool Halo::holds(const State& state, const std::vector<double>& margin, double ahead) {
+bool Halo::holds(const State& state, const std::vector<double>& margin) {
     if (ranks_.alone()) return true;
     const Bodies& bodies = state.bodies;
-    if (bodies.size() != place_.size()) return false;
+    if (outdated_) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies.is_ghost(i)) continue;
         if (!(margin[i] <= most_margin_)) return false;
-        const double needed = (1.0 + ahead) * margin[i], left = room_[i] - needed;
+        const double left = room_[i] - margin[i];
         if ((left < 0.0 || (bodies.position[i] - place_[i]).squaredNorm() > left * left) &&
-            !renew(i, bodies, margin[i], needed))
+            !renew(i, bodies, margin[i]))
             return false;
     }
     return true;

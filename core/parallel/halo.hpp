@@ -3,10 +3,10 @@
 // both its bodies on the rank that owns the block of the contact point, and that rank solves it. All ranks that hold a
 // body move it alike, with the same bits; what one rank alone computes (impulses' effect, pushes) they tell each other.
 //
-// A body may reach a block within  r_i + s_i + e  of its centre, where s_i is room to move and e the farthest that half
-// a gap can lie off a body. The halo holds as long as |x_i - x_i(then)| + m_i <= s_i and m_i <= e for every body, m_i
-// the margin within which contacts are looked for. A body that leaves its room, but comes no nearer to ranks that do
-// not hold it, gets new room where it is: most do.
+// A body may reach a block within  r_i + s_i + e / 2  of its centre: s_i is room to move, and a contact point lies off
+// the body by half the gap, at most (m_i + m_j) / 2, m_i the margin within which contacts are looked for. The halo
+// holds as long as |x_i - x_i(then)| + m_i <= s_i and m_i <= e for every body. A body that leaves its room, but comes
+// no nearer to ranks that do not hold it, gets new room where it is: most do.
 //
 // Bodies too wide for a block have their contacts with rank 0, which holds them and all that is near them: they are
 // meant to be few.
@@ -30,6 +30,8 @@ inline constexpr int kWideRank = 0;  // solves the contacts of bodies wider than
 double room_to_move(double radius, double speed, double step, double margin = 0.0);
 // e [m]: margins up to it are covered, `largest` being the largest of now.
 double margin_covered(double largest, double block_size);
+// [m] from the centre to the farthest block that the body may have to do with.
+double reach(double radius, double room, double covered);
 
 class Halo {
   public:
@@ -44,12 +46,11 @@ class Halo {
         bool migrate;
     };
     void rebuild(const Partition& partition, const Settings& settings, const std::vector<double>& margin, State& state);
-    // Bodies went: those that are left keep their holders. False if there are new ones. Not collective; after it, the
-    // indices of bodies are those of now.
-    bool follow(const Bodies& bodies);
-    // Whether the ranks that hold a body of this rank are still enough, also after it has moved on by `ahead` times its
-    // margin. Not collective.
-    bool holds(const State& state, const std::vector<double>& margin, double ahead = 0.0);
+    // Bodies went: those that are left keep their holders. If there are new ones the halo no longer holds. Not
+    // collective.
+    void follow(const Bodies& bodies);
+    // Whether the ranks that hold a body of this rank are still enough. Not collective.
+    bool holds(const State& state, const std::vector<double>& margin);
 
     // Another rank that holds bodies of this one, and which: indices into state.bodies, in order of id, the same list
     // on both sides.
@@ -80,7 +81,7 @@ class Halo {
         double x, y, z, radius;
     };
     void keep_holders(const Bodies& bodies);
-    bool renew(std::size_t i, const Bodies& bodies, double margin, double needed);
+    bool renew(std::size_t i, const Bodies& bodies, double margin);
     std::vector<WideBall> gather_wide(const Bodies& bodies, const Settings& settings,
                                       const std::vector<double>& room) const;
     std::vector<BodyMessage> decide(const Partition& partition, const Settings& settings, const Bodies& bodies,
@@ -97,6 +98,7 @@ class Halo {
     const Partition* partition_ = nullptr;  // by which the halo was made
     Settings settings_{};
     bool any_wide_ = false;                // bodies wider than a block
+    bool outdated_ = true;                 // never made, or there are new bodies
     std::vector<BodyId> id_;               // of the bodies when the halo was made
     std::vector<std::vector<int>> other_;  // other holders of each body, n; empty for most
     std::vector<std::uint8_t> shared_;     // n, or empty with one rank
