@@ -40,6 +40,7 @@ template <class Real>
 constexpr std::size_t kNumbers<SpinningLineOf<Real>> = 6;
 
 constexpr std::size_t kTransfers = LineExchange::kSpread + 1;  // to one neighbour, at most
+constexpr std::size_t kAhead = 2;                              // phases after it was sent, a message is taken
 
 }  // namespace
 
@@ -82,27 +83,19 @@ void LineExchange::list(PhaseMask writer, PhaseMask reader, PhaseMask all, std::
     for (unsigned left = writer; left != 0; left &= left - 1) {
         const auto phase = static_cast<std::size_t>(std::countr_zero(left));
         const unsigned later = static_cast<unsigned>(all) >> (phase + 1);
-        std::size_t next = reader != 0 ? kEnd : kSpread;
+        std::size_t next = kEnd;
         if (later != 0) {
             next = phase + 1 + static_cast<std::size_t>(std::countr_zero(later));
             if ((reader >> next & 1) == 0) continue;
+        } else if (reader == 0) {
+            by_phase[kSpread].lines.push_back(line);
+            continue;
         }
-        by_phase[next].lines.push_back(line);
-        by_phase[next].after = std::max(by_phase[next].after, phase);
-    }
-}
-
-// What is ready when an earlier message goes, goes with it: nobody reads it in between.
-void LineExchange::join(std::vector<Transfer>& transfers) const {
-    for (std::size_t k = 0; k < neighbours_; ++k) {
-        Transfer* const of = transfers.data() + k * kTransfers;
-        for (std::size_t later = 1; later <= kEnd; ++later)
-            for (std::size_t earlier = 0; earlier < later && !of[later].lines.empty(); ++earlier) {
-                if (of[earlier].lines.empty() || of[later].after > of[earlier].after) continue;
-                of[earlier].lines.insert(of[earlier].lines.end(), of[later].lines.begin(), of[later].lines.end());
-                of[later].lines.clear();
-            }
-        of[kSpread].after = kSpread;
+        // phases go in pairs, where the reader has time: half the messages, and all but the last are there before they
+        // are needed
+        Transfer& transfer = by_phase[(phase | 1) < next ? phase | 1 : phase];
+        transfer.before = std::min({transfer.before, next, transfer.after + kAhead});
+        transfer.lines.push_back(line);
     }
 }
 
@@ -118,8 +111,8 @@ void LineExchange::set_up(const Communicator& ranks, Halo& halo, const contact::
         for (std::size_t i = 0; i < transfers->size(); ++i) {
             Transfer& t = (*transfers)[i];
             t.neighbour = i / kTransfers;
-            t.before = i % kTransfers;
-            t.after = 0;
+            t.after = i % kTransfers;
+            t.before = t.after == kSpread ? kSpread : kEnd;
             t.lines.clear();
         }
     }
@@ -133,10 +126,9 @@ void LineExchange::set_up(const Communicator& ranks, Halo& halo, const contact::
         }
     }
     const auto messages_of = [&](std::vector<Transfer>& transfers) {
-        join(transfers);
         std::vector<RepeatedMessages::Message> messages;
         for (const Transfer& t : transfers)
-            messages.push_back({halo.neighbour_ranks()[t.neighbour], static_cast<int>(t.before),
+            messages.push_back({halo.neighbour_ranks()[t.neighbour], static_cast<int>(t.after),
                                 t.lines.size() * numbers * sizeof(double)});
         return messages;
     };

@@ -53,12 +53,11 @@ class LineExchange {
     void swap_masks(const Communicator& ranks, Halo& halo);
     // For each phase in which `writer` changes a body, its line to whoever reads it next, if that is `reader`.
     void list(PhaseMask writer, PhaseMask reader, PhaseMask all, std::uint32_t line, Transfer* by_phase) const;
-    void join(std::vector<Transfer>& transfers) const;
 
     std::size_t neighbours_ = 0;
     std::vector<PhaseMask> touched_, touched_by_all_;  // one a body: a bit a phase
     std::vector<std::vector<PhaseMask>> theirs_;       // of each neighbour, one a shared body
-    std::vector<Transfer> out_, in_;                   // [neighbour][before], many of them empty
+    std::vector<Transfer> out_, in_;                   // [neighbour][after], many of them empty
     RepeatedMessages messages_;
 };
 
