@@ -66,7 +66,7 @@ class CandidateList {
     std::vector<double> margin_;
     std::uint64_t rebuilds_ = 0;
     std::vector<BodyId> id_;            // n, as of the last update
-    std::vector<Ball> ball_;            // n, where the body was last looked at; radius r + s
+    std::vector<Ball> ball_;            // n, where the body is until it is looked at again; radius r + s
     std::vector<double> slack_;         // [m] s, n; negative: never looked at
     CellGrid grid_;                     // balls of the last list made anew, but for
     std::vector<std::uint32_t> loose_;  // those looked at since, which are in no grid; in no order
