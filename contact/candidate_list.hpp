@@ -42,6 +42,7 @@ class CandidateList {
     // Partners j > i of body i, increasing; walls near body i, increasing.
     std::span<const std::uint32_t> partners(std::size_t i) const { return partners_[i]; }
     std::span<const std::uint32_t> walls(std::size_t i) const { return walls_[i]; }
+    std::size_t pairs() const { return partners_.size(); }
     double margin(std::size_t i) const { return margin_[i]; }             // [m] of the last update
     const std::vector<WallFrame>& wall_frames() const { return frame_; }  // one a wall of the scene
     std::uint64_t rebuilds() const { return rebuilds_; }                  // lists made anew, all bodies at once
