@@ -8,6 +8,7 @@ namespace {
 constexpr double kStepsAhead = 10.0;  // a body is looked at again after this many steps,
 constexpr double kLeastSlack = 0.03;  // a resting one when it has moved by this share of its radius,
 constexpr double kMostSlack = 0.4;    // and a fast one by no more than this: wide lists cost more than new looks
+constexpr double kAhead = 0.5;        // the ball lies ahead of the body by this share of the slack
 // The list is made anew when a body in this many moved since the last update, or in this many since it was last made
 // anew, or when so many pairs were added. To look at one body alone costs ten times its share of a new list.
 constexpr std::size_t kMovedAtOnce = 32, kLoose = 16, kAdded = 16;
@@ -77,9 +78,11 @@ void CandidateList::find_moved(const State& state) {
 
 void CandidateList::look_at(const State& state, double step, std::size_t i) {
     const Bodies& bodies = state.bodies;
-    const double travel = kStepsAhead * step * bodies.velocity[i].norm();
-    slack_[i] = 1.5 * margin_[i] + std::clamp(travel, kLeastSlack * bodies.radius[i], kMostSlack * bodies.radius[i]);
-    const Vec3& x = bodies.position[i];
+    const Vec3& v = bodies.velocity[i];
+    const double most = kMostSlack * bodies.radius[i], travel = kStepsAhead * step * v.norm();
+    slack_[i] = 1.5 * margin_[i] + std::clamp(travel, kLeastSlack * bodies.radius[i], most);
+    const double share = kAhead * (travel > most ? most / travel : 1.0);
+    const Vec3 x = bodies.position[i] + share * kStepsAhead * step * v;
     ball_[i] = {x.x(), x.y(), x.z(), bodies.radius[i] + slack_[i]};
 }
 

@@ -46,6 +46,7 @@ class CandidateList {
     // Partners j > i of body i, increasing; walls near body i, increasing.
     std::span<const std::uint32_t> partners(std::size_t i) const { return partners_[i]; }
     std::span<const std::uint32_t> walls(std::size_t i) const { return walls_[i]; }
+    std::size_t pairs() const { return partners_.size(); }
     double margin(std::size_t i) const { return margin_[i]; }             // [m] of the last update
     const std::vector<WallFrame>& wall_frames() const { return frame_; }  // one a wall of the scene
     std::uint64_t rebuilds() const { return rebuilds_; }                  // lists made anew, all bodies at once
@@ -71,7 +72,7 @@ class CandidateList {
     std::vector<double> margin_;
     std::uint64_t rebuilds_ = 0;
     std::vector<BodyId> id_;            // n, as of the last update
-    std::vector<Ball> ball_;            // n, where the body was last looked at; radius r + s
+    std::vector<Ball> ball_;            // n, where the body is until it is looked at again; radius r + s
     std::vector<double> slack_;         // [m] s, n; negative: never looked at
     CellGrid grid_;                     // balls of the last list made anew, but for
     std::vector<std::uint32_t> loose_;  // those looked at since, which are in no grid; in no order

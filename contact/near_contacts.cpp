@@ -13,7 +13,6 @@ constexpr double kNegligible = 1e-12;  // of the diameter: shallower overlaps ar
 constexpr double kShallow = 1e-4;      // those below this push
 constexpr std::uint64_t kRarely = 4;  // in every fourth scenario step: they are most of the overlaps, and do least harm
 constexpr int kRings = 2;             // of neighbours that a push may reach
-constexpr double kRoundOff = 1e-12;   // of a squared distance, with room
 constexpr double kSpare = 1.5;        // near pairs are listed as far as this times the last deepest push needs
 constexpr double kMostPush = 0.5;     // of the radius: deeper overlaps take several steps
 
@@ -52,17 +51,17 @@ void NearContacts::measure_gaps(const Scene& scene, const State& state, const Ca
 }
 
 void NearContacts::list_near(const Bodies& bodies, const CandidateList& candidates) {
-    near_.clear();
-    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-        const Vec3& x = bodies.position[i];
+    const Vec3* const position = bodies.position.data();
+    const double* const radius = bodies.radius.data();
+    near_.resize(candidates.pairs());
+    std::size_t kept = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
         for (const std::uint32_t j : candidates.partners(i)) {
-            const double radii = bodies.radius[i] + bodies.radius[j], reach = radii + listed_;
-            const double square = (x - bodies.position[j]).squaredNorm();
-            if (square > (1.0 + kRoundOff) * (reach * reach)) continue;  // no root for those far apart
-            const double gap = std::sqrt(square) - radii;
-            if (gap < listed_ || gap < 0.0) near_.push_back({i, j, gap});
+            const double gap = (position[i] - position[j]).norm() - (radius[i] + radius[j]);
+            near_[kept] = {i, j, gap};
+            kept += gap < listed_ || gap < 0.0 ? 1 : 0;  // without a branch that nobody can foretell
         }
-    }
+    near_.resize(kept);
 }
 
 // No push is wider than the deepest.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "contact/find_contacts.hpp"
@@ -85,6 +86,83 @@ TEST(CandidateList, BodiesThatSpeedUp) {
         for (Vec3& v : w.state.bodies.velocity) v *= 2.0;
         compare(w, kept, 4, 1e-3);
     }
+}
+
+// A few bodies at once jump to one place, leave or arrive there, so that those looked at since the last list of all
+// meet each other; indices change, and ids tell who is who. All pairs within the margins must be there.
+TEST(CandidateList, BodiesThatComeAndGo) {
+    World w(1e-3, 0.0, 0.5);
+    for (std::uint64_t k = 0; k < 5; ++k) fill(w, 0.1, 20 + k);
+    Random random(9, 1, 0);
+    Bodies& b = w.state.bodies;
+    const auto any = [&] { return static_cast<std::size_t>(random.uniform() * static_cast<double>(b.size())); };
+    CandidateList kept;
+    std::size_t meetings = 0;
+    for (int round = 0; round < 300; ++round) {
+        const Vec3 place(random.uniform(), random.uniform(), 0.25 * (round % 4) + 2.0);
+        for (int k = round % 3; k > 0; --k) b.position[any()] = place + 0.01 * k * Vec3::Ones();
+        if (round % 5 == 0) {
+            const auto gone = static_cast<std::ptrdiff_t>(any());
+            b.id.erase(b.id.begin() + gone);
+            b.radius.erase(b.radius.begin() + gone);
+            b.mass.erase(b.mass.begin() + gone);
+            b.material.erase(b.material.begin() + gone);
+            b.position.erase(b.position.begin() + gone);
+            b.velocity.erase(b.velocity.begin() + gone);
+            w.add(place, random.uniform(0.01, 0.08));
+            kept.invalidate();
+        }
+        std::vector<double> margin;
+        contact_margins(w.scene, w.state, {w.state.time, 1e-3}, margin);
+        kept.update(w.scene, w.state, 1e-3, margin);
+        std::size_t missing = 0;
+        for (std::size_t i = 0; i < b.size(); ++i)
+            for (std::size_t j = i + 1; j < b.size(); ++j) {
+                const double reach = b.radius[i] + b.radius[j] + margin[i] + margin[j];
+                if ((b.position[i] - b.position[j]).norm() > reach) continue;
+                meetings += b.position[i].z() > 1.5 ? 1 : 0;
+                const auto partners = kept.partners(i);
+                missing += std::binary_search(partners.begin(), partners.end(), j) ? 0 : 1;
+            }
+        EXPECT_EQ(missing, 0U) << "round " << round;
+    }
+    EXPECT_GT(meetings, 1000U);
+    EXPECT_LT(kept.rebuilds(), 100U) << "a few bodies are no reason for a new list of all";
+}
+
+// What update() promises: if it returns false, nothing was added.
+TEST(CandidateList, TellsWhenPairsOrWallsWereAdded) {
+    World w(1e-3, 0.0, 0.5);
+    fill(w, 1.0, 10);
+    w.add_floor();
+    CandidateList kept;
+    std::vector<double> margin;
+    const auto entries = [&] {
+        std::vector<std::pair<std::size_t, std::uint32_t>> all;
+        for (std::size_t i = 0; i < w.state.bodies.size(); ++i) {
+            for (const std::uint32_t j : kept.partners(i)) all.emplace_back(i, j);
+            for (const std::uint32_t wall : kept.walls(i)) all.emplace_back(i, 1000 + wall);
+        }
+        return all;
+    };
+    std::vector<std::pair<std::size_t, std::uint32_t>> before;
+    int added = 0, same = 0;
+    for (int k = 0; k < 200; ++k) {
+        const StepTimes times{w.state.time, 1e-3};
+        contact_margins(w.scene, w.state, times, margin);
+        const bool more = kept.update(w.scene, w.state, times.step, margin);
+        auto now = entries();
+        std::sort(now.begin(), now.end());
+        EXPECT_EQ(std::adjacent_find(now.begin(), now.end()), now.end()) << "twice in the list";
+        EXPECT_TRUE(more || std::includes(before.begin(), before.end(), now.begin(), now.end()));
+        (more ? added : same) += 1;
+        before = now;
+        Bodies& b = w.state.bodies;
+        for (std::size_t i = 0; i < b.size(); ++i) b.position[i] += times.step * b.velocity[i];
+        w.state.time += times.step;
+    }
+    EXPECT_GT(added, 10);
+    EXPECT_GT(same, 10);
 }
 
 TEST(CandidateList, MovingWalls) {

@@ -61,6 +61,49 @@ TEST(CellGrid, FindsWhatAllPairsFind) {
             }
 }
 
+// Balls taken out one after the other, each looking for its partners from elsewhere, and then called by other names.
+TEST(CellGrid, PartnersOfBallsTakenOut) {
+    for (const double ratio : {1.9, 100.0}) {
+        std::vector<Ball> balls = random_balls(7, 250, ratio, 0.5, 0.3, Vec3(1, 2, 3));
+        CellGrid grid;
+        Pairs found;
+        grid.find_pairs(balls, found);
+        std::vector<std::uint32_t> name(balls.size());
+        for (std::uint32_t i = 0; i < name.size(); ++i) name[i] = i % 3 == 0 ? CellGrid::kGone : 2 * i;
+        std::vector<std::uint32_t> number(2 * balls.size(), CellGrid::kGone);  // whose name it is
+        std::size_t seen = 0;
+        for (const bool renamed : {false, true}) {
+            if (renamed) grid.rename(name, number.size());
+            for (std::uint32_t i = 0; i < balls.size(); ++i) {
+                if (renamed && name[i] != CellGrid::kGone) number[name[i]] = i;
+                if (!renamed) number[i] = i;
+            }
+            for (std::uint32_t called = renamed ? 250 : 0; called < (renamed ? 500 : 60); called += 2) {
+                const std::uint32_t i = number[called];
+                if (i == CellGrid::kGone || !grid.holds(called)) continue;
+                grid.take_out(called);
+                EXPECT_FALSE(grid.holds(called));
+                const Ball& old = balls[i];
+                // far beyond the grid, much wider than before, and a little to the side
+                for (const Ball& ball : {Ball{old.x + 1e30, old.y, -1e30, old.radius}, Ball{old.x, old.y, old.z, 0.3},
+                                         Ball{old.x + 0.02, old.y, old.z, old.radius}}) {
+                    Pairs partners, expected;
+                    grid.find_partners(called, ball, partners);
+                    for (std::uint32_t k = 0; k < number.size(); ++k)
+                        if (number[k] != CellGrid::kGone && grid.holds(k) && overlap(ball, balls[number[k]]))
+                            expected.emplace_back(std::min(k, called), std::max(k, called));
+                    std::sort(partners.begin(), partners.end());
+                    std::sort(expected.begin(), expected.end());
+                    EXPECT_EQ(partners, expected);
+                    seen += expected.size();
+                }
+            }
+            std::fill(number.begin(), number.end(), CellGrid::kGone);
+        }
+        EXPECT_GT(seen, 1000U);
+    }
+}
+
 TEST(CellGrid, BallsOnTheBordersOfCells) {
     // A lattice of the cells' own width: every centre lies on a border, every neighbour just touches.
     std::vector<Ball> balls;
