@@ -12,7 +12,7 @@ namespace {
 constexpr double kNegligible = 1e-12;  // of the diameter: shallower overlaps are round-off and push nobody;
 constexpr double kShallow = 1e-4;      // those below this push
 constexpr std::uint64_t kRarely = 4;  // in every fourth scenario step: they are most of the overlaps, and do least harm
-constexpr int kRings = 2;             // of neighbours that a push may reach
+constexpr int kRings = 1;             // of neighbours that a push may reach
 constexpr double kSpare = 1.5;        // near pairs are listed as far as this times the last deepest push needs
 constexpr double kMostPush = 0.5;     // of the radius: deeper overlaps take several steps
 

@@ -41,6 +41,7 @@ void ContactProblem<Law>::rebuild_lines() {
     swept_ = false;
     free_lines();
     full_.over_blocks(*layout_, exchange_, [&](std::uint32_t k) { apply(full_.batch[k], full_.line.data()); });
+    full_.complete(exchange_);
     if (exchange_ != nullptr) exchange_->spread(full_.line.data());
 }
 
@@ -134,6 +135,7 @@ void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std
         }
         apply(batch, full_.line.data());
     });
+    full_.complete(exchange_);
 }
 
 template <class Law>
@@ -167,6 +169,10 @@ double ContactProblem<Law>::sweep(double beta, bool momentum) {
     else
         full_.sweep(*layout_, exchange_, layout_->touched_lines(), beta, momentum, squares);
     const double sum = ranks_.sum(squares), unit = is_single_ ? single_.velocity_unit() : 1.0;
+    if (is_single_)
+        single_.sweeps.complete(exchange_);
+    else
+        full_.complete(exchange_);
     if (all_contacts_ == 0 || sum == 0.0) return 0.0;
     return std::sqrt(sum / static_cast<double>(all_contacts_)) / (v_ref_ / unit);
 }

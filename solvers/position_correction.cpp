@@ -65,10 +65,11 @@ int PositionCorrection::sweep_until_settled(const contact::ContactSet& contacts,
         sweeps_.over_blocks(layout_, &exchange_, [&](std::uint32_t k) {
             farthest = max(farthest, update<false>(sweeps_.batch[k], sweeps_.line.data(), nullptr, none));
         });
-        if (sweep % kSweepsALook != 0) continue;
         std::array<double, 2> of_all{max_lanes(farthest), -smallest};
-        ranks.max(of_all);
-        if (std::sqrt(of_all[0]) <= -kSettled * of_all[1]) return sweep;
+        const bool look = sweep % kSweepsALook == 0;
+        if (look) ranks.max(of_all);
+        sweeps_.complete(&exchange_);
+        if (look && std::sqrt(of_all[0]) <= -kSettled * of_all[1]) return sweep;
     }
     return most;
 }

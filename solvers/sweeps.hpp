@@ -60,6 +60,10 @@ struct Sweeps {
             if (exchange != nullptr) exchange->send(phase, line.data());
             work(range.inner, range.end);
         }
+    }
+    // After a pass in which lines travelled, before anything reads them: what was changed last by other ranks. A sum
+    // over ranks in between hides the wait.
+    void complete(LineExchange* exchange) {
         if (exchange != nullptr) exchange->receive(LineExchange::kEnd, line.data());
     }
     // Calls `per_batch` for each batch. Lines of shared bodies travel if there is an exchange.
@@ -90,7 +94,8 @@ struct Sweeps {
         line_previous = line;
     }
 
-    // One sweep; `moving` lines, from line 1 on, are those of bodies with contacts. Adds |W_N r|^2 of all contacts.
+    // One sweep, to be completed; `moving` lines, from line 1 on, are those of bodies with contacts. Adds |W_N r|^2 of
+    // all contacts.
     template <class Order>
     void sweep(const Order& order, LineExchange* exchange, std::size_t moving, double beta, bool momentum,
                ExactSum& squares) {
