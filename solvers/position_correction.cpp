@@ -20,13 +20,13 @@ constexpr double kMostLeft = 3e-3;
 }  // namespace
 
 void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share) {
-    sweeps_.line.resize(bodies.size() + 1);
-    sweeps_.line[kGround] = SlidingLine{};
+    full_.line.resize(bodies.size() + 1);
+    full_.line[kGround] = SlidingLine{};
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        sweeps_.line[layout_.line(i)] = {{0.0, 0.0, 0.0}, 1.0 / bodies.mass[i]};
-    sweeps_.batch.resize(layout_.batches());
-    for (std::size_t k = 0; k < sweeps_.batch.size(); ++k) {
-        FrictionlessBatch& batch = sweeps_.batch[k];
+        full_.line[layout_.line(i)] = {{0.0, 0.0, 0.0}, 1.0 / bodies.mass[i]};
+    full_.batch.resize(layout_.batches());
+    for (std::size_t k = 0; k < full_.batch.size(); ++k) {
+        FrictionlessBatch& batch = full_.batch[k];
         batch = FrictionlessBatch{};
         for (int i = 0; i < kLanes; ++i) {
             const std::uint32_t index = layout_.lanes()[k][static_cast<std::size_t>(i)];
@@ -37,7 +37,7 @@ void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bod
             for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
             const double most_left = kMostLeft * contact::NearContacts::diameter(c, bodies);
             batch.bias[i] = c.gap < 0.0 ? std::min(share * c.gap, c.gap + most_left) : c.gap;
-            batch.inverse_w[i] = 1.0 / (sweeps_.line[batch.a[i]].inverse_mass + sweeps_.line[batch.b[i]].inverse_mass);
+            batch.inverse_w[i] = 1.0 / (full_.line[batch.a[i]].inverse_mass + full_.line[batch.b[i]].inverse_mass);
         }
     }
 }
@@ -46,8 +46,8 @@ Penetration PositionCorrection::measure(const contact::ContactSet& contacts, con
                                         const Communicator& ranks, std::size_t closed) const {
     contact::OverlapSums sums = near_.shallow();
     for (const contact::Contact& c : contacts) {
-        const SlidingLine& a = sweeps_.line[layout_.line(c.a)];
-        const SlidingLine& b = sweeps_.line[c.key.is_wall() ? kGround : layout_.line(c.b)];
+        const SlidingLine& a = full_.line[layout_.line(c.a)];
+        const SlidingLine& b = full_.line[c.key.is_wall() ? kGround : layout_.line(c.b)];
         double gap = c.gap;
         for (int d = 0; d < 3; ++d) gap += c.normal[d] * (a.v[d] - b.v[d]);
         sums.add(-gap, contact::NearContacts::diameter(c, bodies));
@@ -55,23 +55,46 @@ Penetration PositionCorrection::measure(const contact::ContactSet& contacts, con
     return sums.over(ranks, closed);
 }
 
-int PositionCorrection::sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most,
-                                            const Communicator& ranks) {
-    double smallest = std::numeric_limits<double>::max();
-    for (const contact::Contact& c : contacts) smallest = std::min(smallest, 2.0 * bodies.radius[c.a]);
-    const Pack none = Pack::all(0.0);
+// `settled` [m], of this rank's bodies; `unit` [m] of the lines.
+template <class Real, class Order>
+int PositionCorrection::sweep_until_settled(Sweeps<Frictionless, Real>& sweeps, const Order& order, double settled,
+                                            double unit, int most, const Communicator& ranks) {
+    using Numbers = PackOf<Real>;
+    const Numbers none = Numbers::all(0);
     for (int sweep = 1; sweep <= most; ++sweep) {
-        Pack farthest = none;
-        sweeps_.over_blocks(layout_, &exchange_, [&](std::uint32_t k) {
-            farthest = max(farthest, update<false>(sweeps_.batch[k], sweeps_.line.data(), nullptr, none));
+        Numbers farthest = none;
+        sweeps.over_blocks(order, &exchange_, [&](std::uint32_t k) {
+            farthest = max(farthest, update<false>(sweeps.batch[k], sweeps.line.data(), nullptr, none));
         });
-        std::array<double, 2> of_all{max_lanes(farthest), -smallest};
+        std::array<double, 2> of_all{max_lanes(farthest), -settled};
         const bool look = sweep % kSweepsALook == 0;
         if (look) ranks.max(of_all);
-        sweeps_.complete(&exchange_);
-        if (look && std::sqrt(of_all[0]) <= -kSettled * of_all[1]) return sweep;
+        sweeps.complete(&exchange_);
+        if (look && unit * std::sqrt(of_all[0]) <= -of_all[1]) return sweep;
     }
     return most;
+}
+
+// Displacements are differences of gaps that are known exactly: single precision loses nothing that counts.
+int PositionCorrection::sweep(const Scene& scene, const contact::ContactSet& contacts, const State& state,
+                              const Communicator& ranks) {
+    double settled = std::numeric_limits<double>::max();
+    for (const contact::Contact& c : contacts) settled = std::min(settled, kSettled * 2.0 * state.bodies.radius[c.a]);
+    const int most = scene.correction.sweeps;
+    if (scene.solver.precision == SolverPrecision::full) {
+        const int sweeps = sweep_until_settled(full_, layout_, settled, 1.0, most, ranks);
+        exchange_.spread(full_.line.data());
+        return sweeps;
+    }
+    const auto [lightest, heaviest] = std::minmax_element(state.bodies.mass.begin(), state.bodies.mass.end());
+    const Extremes extremes{0.0, contacts.empty() ? 1.0 : 1.0 / *lightest, contacts.empty() ? 1.0 : *heaviest, 0.0};
+    single_.load(full_, layout_, extremes, state.block_size);
+    const double unit = single_.velocity_unit();
+    const int sweeps = sweep_until_settled(single_.sweeps, single_, settled, unit, most, ranks);
+    exchange_.spread(single_.sweeps.line.data());
+    for (std::size_t i = 0; i < full_.line.size(); ++i)
+        for (int d = 0; d < 3; ++d) full_.line[i].v[d] = unit * static_cast<double>(single_.sweeps.line[i].v[d]);
+    return sweeps;
 }
 
 CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std::size_t closed,
@@ -88,16 +111,15 @@ CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std:
     assemble(contacts, bodies, scene.correction.share);
     if (scene.correction.on) {
         exchange_.set_up(ranks, domain.halo(), contacts, layout_, 3);
-        report.sweeps = sweep_until_settled(contacts, bodies, scene.correction.sweeps, ranks);
-        exchange_.spread(sweeps_.line.data());
+        report.sweeps = sweep(scene, contacts, state, ranks);
         const Vec3 gravity = scene.gravity.at(state.time + step);
         ExactSum work;
         add_over_bodies(bodies, std::span<ExactSum, 1>(&work, 1), [&](std::size_t i) {
-            const SlidingLine& line = sweeps_.line[layout_.line(i)];
+            const SlidingLine& line = full_.line[layout_.line(i)];
             return std::array<double, 1>{-bodies.mass[i] * gravity.dot(Vec3(line.v[0], line.v[1], line.v[2]))};
         });
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const SlidingLine& line = sweeps_.line[layout_.line(i)];
+            const SlidingLine& line = full_.line[layout_.line(i)];
             bodies.position[i] += Vec3(line.v[0], line.v[1], line.v[2]);
         }
         report.work = ranks.sum(work);
@@ -107,7 +129,7 @@ CorrectionReport PositionCorrection::apply(const Scene& scene, double step, std:
 }
 
 std::size_t PositionCorrection::bytes() const {
-    return near_.bytes() + layout_.bytes() + sweeps_.bytes();
+    return near_.bytes() + layout_.bytes() + full_.bytes() + single_.bytes();
 }
 
 }  // namespace scree::solvers

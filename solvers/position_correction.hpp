@@ -12,7 +12,7 @@
 #include "core/step_report.hpp"
 #include "solvers/layout.hpp"
 #include "solvers/line_exchange.hpp"
-#include "solvers/sweeps.hpp"
+#include "solvers/single_problem.hpp"
 
 namespace scree::solvers {
 
@@ -34,16 +34,19 @@ class PositionCorrection {
 
   private:
     void assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share);
-    // At most `most` sweeps; returns how many.
-    int sweep_until_settled(const contact::ContactSet& contacts, const Bodies& bodies, int most,
-                            const Communicator& ranks);
+    // Both return the number of sweeps.
+    template <class Real, class Order>
+    int sweep_until_settled(Sweeps<Frictionless, Real>& sweeps, const Order& order, double settled, double unit,
+                            int most, const Communicator& ranks);
+    int sweep(const Scene& scene, const contact::ContactSet& contacts, const State& state, const Communicator& ranks);
     Penetration measure(const contact::ContactSet& contacts, const Bodies& bodies, const Communicator& ranks,
                         std::size_t closed) const;
 
     contact::NearContacts near_;
     Layout layout_;
     LineExchange exchange_;
-    Sweeps<Frictionless, double> sweeps_;  // lines are displacements [m]
+    Sweeps<Frictionless, double> full_;  // lines are displacements [m]
+    SingleProblem<Frictionless> single_;
 };
 
 }  // namespace scree::solvers
