@@ -122,8 +122,9 @@ void NearContacts::widen(const Bodies& bodies) {
 void NearContacts::collect(const Scene& scene, const State& state, const CandidateList& candidates,
                            const Domain& domain) {
     const Bodies& bodies = state.bodies;
+    const Halo& halo = domain.halo();
     const auto add = [&](const Contact& contact, bool shallow, double diameter) {
-        if (!domain.alone() && !solved_here(contact, state, domain)) return;
+        if (!solved_here(contact, state, domain)) return;
         if (shallow)
             shallow_.add(-contact.gap, diameter);
         else
@@ -138,7 +139,7 @@ void NearContacts::collect(const Scene& scene, const State& state, const Candida
             const double reach = push_[i] + push_[j];
             if (pair->gap >= reach) continue;
             const double radii = radius + bodies.radius[j];
-            if (reach == 0.0 && domain.alone()) {
+            if (reach == 0.0 && !(halo.shared(i) && halo.shared(j))) {  // this rank's, and no contact
                 shallow_.add(-pair->gap, radii);
                 continue;
             }
