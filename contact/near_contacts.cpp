@@ -12,9 +12,17 @@ namespace {
 constexpr double kNegligible = 1e-12;  // of the diameter: shallower overlaps are round-off and push nobody;
 constexpr double kShallow = 1e-4;      // those below this push
 constexpr std::uint64_t kRarely = 4;  // in every fourth scenario step: they are most of the overlaps, and do least harm
-constexpr int kRings = 1;             // of neighbours that a push may reach
+constexpr double kPassedOn = 3e-3;    // of the diameter: a push this wide goes on to the next neighbours,
+constexpr int kMostRings = 6;         // as many times as this
 constexpr double kSpare = 1.5;        // near pairs are listed as far as this times the last deepest push needs
 constexpr double kMostPush = 0.5;     // of the radius: deeper overlaps take several steps
+
+// A push is half as wide at each further neighbour.
+int rings_of(double widest) {
+    int rings = 1;
+    for (double passed = 0.5 * widest; passed > kPassedOn && rings < kMostRings; passed *= 0.5) ++rings;
+    return rings;
+}
 
 }  // namespace
 
@@ -73,6 +81,14 @@ void NearContacts::list_wide_enough(const Bodies& bodies, const CandidateList& c
     list_near(bodies, candidates);
 }
 
+// Over the diameter of the body.
+double NearContacts::widest_push(const Bodies& bodies) const {
+    double widest = 0.0;
+    for (std::size_t i = 0; i < push_.size(); ++i)
+        if (push_[i] > 0.0) widest = std::max(widest, 0.5 * push_[i] / bodies.radius[i]);
+    return widest;
+}
+
 const ContactSet& NearContacts::find(const Scene& scene, State& state, double step, CandidateList& candidates,
                                      Domain& domain) {
     contacts_.clear();
@@ -84,13 +100,15 @@ const ContactSet& NearContacts::find(const Scene& scene, State& state, double st
         listed_ = kSpare * 2.0 * deepest_;
         measure_gaps(scene, state, candidates);
         domain.halo().max_over_holders(push_);
-        none_ = !domain.ranks().any(std::any_of(push_.begin(), push_.end(), [](double d) { return d > 0.0; }));
+        const double widest = domain.ranks().max(widest_push(state.bodies));
+        none_ = widest == 0.0;
         if (none_) return;
-        for (int ring = 0; ring <= kRings; ++ring) {
+        const int rings = rings_of(widest);
+        for (int ring = 0; ring <= rings; ++ring) {
             // a wider push needs a wider list; what is measured again is the same
             if (candidates.update_at_end(scene, state, step, push_)) measure_gaps(scene, state, candidates);
             list_wide_enough(state.bodies, candidates);
-            if (ring == kRings) break;
+            if (ring == rings) break;
             widen(state.bodies);
             domain.halo().max_over_holders(push_);
         }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/random.hpp"
 #include "tests/testing/solver_case.hpp"
 
@@ -13,8 +16,10 @@ using testing::SmallScene;
 using testing::SolverCase;
 
 // Corrects the bodies where they stand.
-CorrectionReport correct(SmallScene& w, bool on, int sweeps, double share, std::size_t closed = 0) {
+CorrectionReport correct(SmallScene& w, bool on, int sweeps, double share, std::size_t closed = 0,
+                         SolverPrecision precision = SolverPrecision::full) {
     w.scene.correction = {on, sweeps, share};
+    w.scene.solver.precision = precision;
     contact::CandidateList candidates;
     PositionCorrection correction;
     Domain domain;
@@ -34,6 +39,36 @@ TEST(PositionCorrection, SharesTheOverlapByInverseMass) {
     EXPECT_NEAR(r.penetration.mean, 2e-4, 1e-12);                             // added in units of 2^-40 of a block
     EXPECT_NEAR(correct(w, false, 5, 0.5, 4).penetration.mean, 5e-5, 1e-12);  // over four closed contacts
     EXPECT_NEAR(r.penetration.max_relative, 1e-3, 1e-15);
+}
+
+// Displacements are rounded to single precision, gaps are not: what differs is 1e-7 of how far bodies are moved.
+TEST(PositionCorrection, SinglePrecisionMovesBodiesAsFar) {
+    const auto pile = [] {
+        SmallScene w(1e-3);
+        w.add_floor();
+        Random random(3, 0, 0);
+        for (int x = 0; x < 6; ++x)
+            for (int y = 0; y < 6; ++y)
+                for (int z = 0; z < 6; ++z) {
+                    const double r = random.uniform(0.09, 0.1);
+                    w.add(Vec3(0.19 * x, 0.19 * y, 0.09 + 0.19 * z), r, Vec3::Zero(), Vec3::Zero(),
+                          std::exp2(random.uniform(0.0, 12.0)));
+                }
+        return w;
+    };
+    SmallScene before = pile(), full = pile(), single = pile();
+    const CorrectionReport a = correct(full, true, 40, 0.8);
+    const CorrectionReport b = correct(single, true, 40, 0.8, 0, SolverPrecision::mixed);
+    EXPECT_EQ(a.sweeps, b.sweeps);
+    double farthest = 0.0, difference = 0.0;
+    for (std::size_t i = 0; i < full.state.bodies.size(); ++i) {
+        farthest = std::max(farthest, (full.position(i) - before.position(i)).norm());
+        difference = std::max(difference, (full.position(i) - single.position(i)).norm());
+    }
+    EXPECT_GT(farthest, 1e-3);
+    EXPECT_GT(difference, 0.0);
+    EXPECT_LT(difference, 40 * 0x1p-24 * 16.0 * farthest);  // 40 sweeps of some sixteen roundings a body
+    EXPECT_NEAR(a.penetration.max, b.penetration.max, 1e-4 * a.penetration.max);
 }
 
 TEST(PositionCorrection, OfDeepOverlapsLittleStays) {
