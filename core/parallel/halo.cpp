@@ -229,7 +229,7 @@ bool Halo::holds(const State& state, const std::vector<double>& margin) {
     const Bodies& bodies = state.bodies;
     if (outdated_) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (margin[i] == 0.0 || bodies.is_ghost(i)) continue;
+        if (bodies.is_ghost(i)) continue;
         if (!(margin[i] <= most_margin_)) return false;
         const double left = room_[i] - margin[i];
         if ((left < 0.0 || (bodies.position[i] - place_[i]).squaredNorm() > left * left) &&

@@ -49,8 +49,7 @@ class Halo {
     // Bodies went: those that are left keep their holders. If there are new ones the halo no longer holds. Not
     // collective.
     void follow(const Bodies& bodies);
-    // Whether the ranks that hold a body of this rank are still enough. A body without a margin has moved by no more
-    // than the margin that it had when last asked for. Not collective.
+    // Whether the ranks that hold a body of this rank are still enough. Not collective.
     bool holds(const State& state, const std::vector<double>& margin);
 
     // Another rank that holds bodies of this one, and which: indices into state.bodies, in order of id, the same list
