@@ -208,6 +208,8 @@ bool Halo::renew(std::size_t i, const Bodies& bodies, double margin) {
     if (any_wide_ && ranks_.rank() != kWideRank) return false;
     const Vec3& x = bodies.position[i];
     double room = room_to_move(bodies.radius[i], bodies.velocity[i].norm(), settings_.step, margin);
+    // of wide bodies all ranks must hear
+    if (2.0 * reach(bodies.radius[i], room, most_margin_) >= settings_.block_size) return false;
     for (;; room = std::max(0.5 * room, margin)) {
         const Vec3 corner = Vec3::Constant(reach(bodies.radius[i], room, most_margin_));
         holders_.clear();
