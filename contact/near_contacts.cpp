@@ -10,8 +10,8 @@ namespace scree::contact {
 namespace {
 
 constexpr double kNegligible = 1e-12;  // of the diameter: shallower overlaps are round-off and push nobody;
-constexpr double kShallow = 1e-4;      // those below this push
-constexpr std::uint64_t kRarely = 4;  // in every fourth scenario step: they are most of the overlaps, and do least harm
+constexpr double kShallow = 2e-4;      // those below this push
+constexpr std::uint64_t kRarely = 8;  // in every eighth scenario step: they are most of the overlaps, and do least harm
 constexpr double kPassedOn = 3e-3;    // of the diameter: a push this wide goes on to the next neighbours,
 constexpr int kMostRings = 6;         // as many times as this
 constexpr double kSpare = 1.5;        // near pairs are listed as far as this times the last deepest push needs

@@ -9,8 +9,9 @@
 namespace scree::solvers {
 namespace {
 
-constexpr std::size_t kLoadSums = 6;       // a wall: impulse and angular impulse
-constexpr std::uint64_t kContactWork = 4;  // of a contact in a step, where a body is 1
+constexpr std::size_t kLoadSums = 6;           // a wall: impulse and angular impulse
+constexpr std::uint64_t kContactWork = 4;      // of a contact in a step, where a body is 1
+constexpr std::uint64_t kStepsOfBalance = 64;  // between looks at how work is shared, at the most
 
 // q + half v, and the orientations, if any.
 void move(Bodies& bodies, double half) {
@@ -71,8 +72,10 @@ void Substep<Law>::find_contacts(State& state, const contact::StepTimes& times) 
     ranks.max(lacks);
     if (lacks[0] != 0)
         throw PhysicsError("the velocities are no longer finite at t = " + std::to_string(times.begin) + " s");
-    if (lacks[1] != 0) {
-        domain_.renew(state, margin_, times.step, [this](std::vector<BlockWork>& work) { add_work(work); });
+    const bool lapsed = lacks[1] != 0, look = lapsed || state.step % kStepsOfBalance == 0;
+    const bool cut = look && domain_.balance(state, [this](std::vector<BlockWork>& work) { add_work(work); });
+    if (lapsed || cut) {
+        domain_.settle(state, margin_, times.step);
         candidates_.invalidate();
         contact::contact_margins(scene_, state, times, margin_);
     }

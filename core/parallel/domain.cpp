@@ -31,19 +31,21 @@ void Domain::start(State& state, const std::vector<double>& margin, double step)
     halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
 }
 
-void Domain::balance(const State& state, const AddWork& add_work) {
+bool Domain::balance(const State& state, const AddWork& add_work) {
+    if (alone()) return false;
     std::vector<BlockWork> all;
     add_work(all);
     for (std::size_t i = 0; i < state.bodies.size(); ++i)
         if (!state.bodies.is_ghost(i)) all.push_back({block_of(state.bodies.position[i], state.block_size), 1});
     imbalance_ = imbalance_of(ranks_, partition_, all);
-    if (imbalance_ <= kMostImbalance) return;
+    if (imbalance_ <= kMostImbalance) return false;
     const Partition better = Partition::bisect(ranks_, all);
     const double then = imbalance_of(ranks_, better, all);
-    if (then > imbalance_ - kLeastGain || better == partition_) return;
+    if (then > imbalance_ - kLeastGain || better == partition_) return false;
     partition_ = better;
     imbalance_ = then;
     ++repartitions_;
+    return true;
 }
 
 }  // namespace scree

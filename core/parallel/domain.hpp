@@ -29,13 +29,14 @@ class Domain {
     void extend(State& state, const std::vector<double>& margin, double step) {
         halo_.rebuild(partition_, {state.block_size, step, false}, margin, state);
     }
-    // The same, and bodies go to the owners of their blocks; space is cut anew first if the largest share of a rank in
-    // the work is too far above the mean. `add_work` adds that of this rank's blocks in the last step.
-    using AddWork = std::function<void(std::vector<BlockWork>&)>;
-    void renew(State& state, const std::vector<double>& margin, double step, const AddWork& add_work) {
-        balance(state, add_work);
+    // The same, and bodies go to the owners of their blocks.
+    void settle(State& state, const std::vector<double>& margin, double step) {
         halo_.rebuild(partition_, {state.block_size, step, true}, margin, state);
     }
+    // Cuts space anew if the largest share of a rank in the work is too far above the mean and another cut is better;
+    // true if so: settle() is due. `add_work` adds the work of this rank's blocks in the last step. Collective.
+    using AddWork = std::function<void(std::vector<BlockWork>&)>;
+    bool balance(const State& state, const AddWork& add_work);
     // Before the first step: bodies lie on any ranks.
     void start(State& state, const std::vector<double>& margin, double step);
     // Blocks have another size: partition and halo mean nothing until start() is called again.
@@ -46,8 +47,6 @@ class Domain {
     double imbalance() const { return imbalance_; }  // largest work of a rank over the mean, when last looked at
 
   private:
-    void balance(const State& state, const AddWork& add_work);
-
     const Communicator& ranks_;
     Partition partition_;
     Halo halo_;
