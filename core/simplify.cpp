@@ -201,6 +201,12 @@ void drop_flat_corners(Polyhedron& body, double tolerance) {
     if (body.face.size() < 4) vanished(tolerance);
 }
 
+// Faces begin with their lowest vertex and come in order: whichever triangles a face was merged from, it is the same.
+void put_in_order(Loops& loops) {
+    for (auto& loop : loops) std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    std::sort(loops.begin(), loops.end());
+}
+
 }  // namespace
 
 void simplify(Polyhedron& body, double tolerance) {
@@ -208,9 +214,10 @@ void simplify(Polyhedron& body, double tolerance) {
     const auto edges = edges_of(body);
     const Regions regions(body, edges, tolerance);
     if (regions.count() < 4) vanished(tolerance);
-    // with nothing to merge the loops stay as they are, and begin where they began
-    if (regions.count() < body.face.size()) body.face = outlines(edges, regions);
+    const bool merged = regions.count() < body.face.size();
+    if (merged) body.face = outlines(edges, regions);
     drop_flat_corners(body, tolerance);
+    if (merged) put_in_order(body.face);
     drop_unused_vertices(body);
 }
 
