@@ -83,6 +83,8 @@ const char* name_of(ShapeFault fault) {
             return "not manifold";
         case ShapeFault::not_connected:
             return "not connected";
+        case ShapeFault::self_crossing:
+            return "self-crossing";
         case ShapeFault::not_planar:
             return "not planar";
         case ShapeFault::not_convex:

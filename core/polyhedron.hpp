@@ -24,6 +24,7 @@ enum class ShapeFault {
     not_oriented,   // neighbours disagree about what is outside, or all are clockwise seen from outside
     not_manifold,   // an edge of more than two faces, or a surface that is not that of a ball
     not_connected,  // several bodies
+    self_crossing,  // the surface cuts itself (told by scenarios/shapes/mesh_file)
     not_planar,     // corners of one face out of its plane
     not_convex,     //
     no_volume,      // all in one plane, line or point, or too thin to tell
