@@ -18,6 +18,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 struct Tolerance {
     double length;  // [m]
     double size;    // [m] of the body
+    double noise;   // [m] round-off in coordinates
 };
 
 void check_volume(const VolumeIntegrals& body, const Tolerance& tolerance) {
@@ -38,12 +39,12 @@ void check_volume(const VolumeIntegrals& body, const Tolerance& tolerance) {
                         body.volume, body.area, tolerance.length));
 }
 
-// How far round-off in the area vector of a thin face can tilt its plane, over the size of the body [m].
+// How far round-off in the corners of a small or thin face can tilt its plane, over the size of the body [m].
 double tilt(const Polyhedron& body, std::size_t f, double area, const Tolerance& tolerance) {
     double perimeter = 0.0;
     for (std::size_t k = 0; k < body.face[f].size(); ++k)
         perimeter += (body.vertex[body.face[f][k]] - body.vertex[body.face[f][(k + 1) % body.face[f].size()]]).norm();
-    return kEpsilon * perimeter * perimeter / area * tolerance.size;
+    return 4.0 * tolerance.noise * perimeter / area * tolerance.size;
 }
 
 [[noreturn]] void not_convex(std::size_t vertex, std::size_t face, double above, const Tolerance& tolerance) {
@@ -194,7 +195,8 @@ PlacedShape make_shape(const Polyhedron& given, double relative) {
     Polyhedron body = given;
     drop_unused_vertices(body);
     const Extent extent = extent_of(body.vertex);
-    const Tolerance tolerance{relative * extent.size() + 4.0 * extent.rounding(), extent.size()};
+    const Tolerance tolerance{relative * extent.size() + 4.0 * extent.rounding(), extent.size(),
+                              kEpsilon * extent.size() + extent.rounding()};
     const Vec3 reference = extent.middle();
     for (Vec3& x : body.vertex) x -= reference;
 
@@ -208,7 +210,7 @@ PlacedShape make_shape(const Polyhedron& given, double relative) {
     ConvexShape& shape = result.shape;
     shape.edge = edges_of(body);
     planes_of(body, tolerance);
-    const double noise = 64.0 * (kEpsilon + extent.rounding() / extent.size());
+    const double noise = 64.0 * tolerance.noise / tolerance.size;
     const BodyFrame frame = body_frame(body, volume_integrals(body), noise);
     result.centre = reference + frame.centre;
     result.rotation = Quat(frame.axes).normalized();
