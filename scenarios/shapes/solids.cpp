@@ -138,6 +138,14 @@ PlacedShape eota_block(const Vec3& sides) {
     return stretched(body_of(corners, cycled({Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 1, 1)})), 0.25 * sides);
 }
 
+Polyhedron box_between(const Vec3& lower, const Vec3& upper) {
+    check_lengths("box", {upper.x() - lower.x(), upper.y() - lower.y(), upper.z() - lower.z()});
+    Polyhedron body = body_of(cube_corners(), axes());
+    for (Vec3& x : body.vertex)
+        for (int i = 0; i < 3; ++i) x[i] = x[i] < 0.0 ? lower[i] : upper[i];
+    return body;
+}
+
 PlacedShape with_volume(PlacedShape placed, double volume) {
     const double factor = std::cbrt(volume / placed.shape.volume);
     placed.centre *= factor;

@@ -23,6 +23,9 @@ PlacedShape platonic(Platonic solid, double edge);
 // the plate EOTA 221.
 PlacedShape eota_block(const Vec3& sides);
 
+// The box between two corners [m], to be cut.
+Polyhedron box_between(const Vec3& lower, const Vec3& upper);
+
 // The same solid, made larger or smaller about the origin of its frame to have a volume [m3].
 PlacedShape with_volume(PlacedShape placed, double volume);
 // Volume of the ball of a diameter: the size of a body is given by its equivalent diameter.
