@@ -1,6 +1,7 @@
 #include "contact/polyhedra/corners.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scree::contact::detail {
 namespace {
@@ -20,10 +21,11 @@ void Corners::add(const Corner& corner) {
     for (int i = 0; i < size_; ++i) {
         Corner& other = item_[static_cast<std::size_t>(i)];
         const double du = corner.u - other.u, dv = corner.v - other.v;
-        if (du * du + dv * dv > same_square_) continue;
+        if (corner.key != other.key && du * du + dv * dv > same_square_) continue;
         const FeatureKey key = std::min(other.key, corner.key);
+        const bool shallow = other.shallow && corner.shallow;
         if (corner.gap < other.gap) other = corner;
-        other.key = key;
+        other.key = key, other.shallow = shallow;
         return;
     }
     if (size_ == kRoom) reduce(kRoom / 2);
@@ -40,6 +42,29 @@ int Corners::deepest() const {
         if ((*this)[i].gap < (*this)[best].gap) best = i;
     }
     return best;
+}
+
+// Whether it lies between two others that are at most `depth` less deep than it.
+bool Corners::straight(const Corner& corner, double depth) const {
+    for (int i = 0; i < size_; ++i) {
+        for (int j = 0; j < size_; ++j) {
+            const Corner &p = (*this)[i], &q = (*this)[j];
+            if (i == j || &p == &corner || &q == &corner) continue;
+            const double du = q.u - p.u, dv = q.v - p.v, square = du * du + dv * dv;
+            const double t = ((corner.u - p.u) * du + (corner.v - p.v) * dv) / square;
+            const double aside = turn(p, q, corner);
+            if (t <= 0.0 || t >= 1.0 || aside * aside > same_square_ * square) continue;
+            if (corner.gap >= p.gap + t * (q.gap - p.gap) - depth) return true;
+        }
+    }
+    return false;
+}
+
+void Corners::straighten(double round_off) {
+    const double little = 1e-2 * std::sqrt(same_square_);
+    for (int i = size_ - 1; i >= 0; --i) {
+        if ((*this)[i].shallow && straight((*this)[i], i == deepest() ? round_off : little)) remove(i);
+    }
 }
 
 // Andrew's monotone chain (1979).

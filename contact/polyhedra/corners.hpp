@@ -13,6 +13,7 @@ struct Corner {
     double height;  // [m] along the normal, half-way between the surfaces
     double gap;     // [m]
     FeatureKey key;
+    bool shallow = false;  // of two edges that lie on one another nearly all along
 };
 
 class Corners {
@@ -21,6 +22,8 @@ class Corners {
     Corners(double same, double margin) : same_square_(same * same), margin_(margin) {}
 
     void add(const Corner& corner);
+    // Leaves out shallow corners on the straight way between two others: the next round-off would move or remove them.
+    void straighten(double round_off);
     void reduce(int most);
     double hull_area() const;
 
@@ -31,6 +34,7 @@ class Corners {
     static constexpr int kRoom = 48;
 
     int deepest() const;
+    bool straight(const Corner& corner, double depth) const;
     int hull(std::array<int, kRoom>& order) const;  // counter-clockwise; returns how many
     int smallest_ear(std::span<const int> hull, int keep) const;
     void remove(int i);

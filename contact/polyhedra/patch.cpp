@@ -80,7 +80,33 @@ double distance_along(const std::vector<SlabFace>& faces, const Vec3& x, double 
     return enter <= leave + round_off ? enter : std::numeric_limits<double>::infinity();
 }
 
-void crossings(const std::vector<SlabEdge>& of_a, const std::vector<SlabEdge>& of_b, double margin, Corners& out) {
+// The kind of place that a corner is, the first one in the order of Meeting that is near enough.
+class Names {
+  public:
+    Names(const std::vector<SlabVertex>& of_a, const std::vector<SlabVertex>& of_b, double same)
+        : of_a_(of_a), of_b_(of_b), same_square_(same * same) {}
+
+    FeatureKey of(const Vec3& at, FeatureKey otherwise) const {
+        for (const SlabVertex& p : of_a_) {
+            if (near(p.at, at)) return feature_key(Meeting::vertex_of_a, p.vertex, 0);
+        }
+        for (const SlabVertex& p : of_b_) {
+            if (near(p.at, at)) return feature_key(Meeting::vertex_of_b, 0, p.vertex);
+        }
+        return otherwise;
+    }
+
+    double same_square() const { return same_square_; }
+
+  private:
+    bool near(const Vec3& x, const Vec3& y) const { return (x - y).head<2>().squaredNorm() <= same_square_; }
+
+    const std::vector<SlabVertex>&of_a_, &of_b_;
+    double same_square_;
+};
+
+void crossings(const std::vector<SlabEdge>& of_a, const std::vector<SlabEdge>& of_b, double margin, const Names& names,
+               Corners& out) {
     constexpr double kLow = -1e-12, kHigh = 1.0 + 1e-12;  // an end on the other edge is a vertex over a face as well
     for (const SlabEdge& p : of_a) {
         const Vec3 d = p.to - p.from;
@@ -88,14 +114,16 @@ void crossings(const std::vector<SlabEdge>& of_a, const std::vector<SlabEdge>& o
         for (const SlabEdge& q : of_b) {
             const Vec3 e = q.to - q.from, f = q.from - p.from;
             const double det = d.x() * e.y() - d.y() * e.x();
-            if (det * det <= 1e-24 * square * (e.x() * e.x() + e.y() * e.y())) continue;
+            const double square_e = e.x() * e.x() + e.y() * e.y();
+            if (det * det <= 1e-24 * square * square_e) continue;
             const double s = (f.x() * e.y() - f.y() * e.x()) / det, t = (f.x() * d.y() - f.y() * d.x()) / det;
             if (s < kLow || s > kHigh || t < kLow || t > kHigh) continue;
             const Vec3 on_a = p.from + s * d, on_b = q.from + t * e;
             const double gap = on_a.z() - on_b.z();
             if (gap > margin) continue;
-            out.add(
-                {on_a.x(), on_a.y(), 0.5 * (on_a.z() + on_b.z()), gap, feature_key(Meeting::edges, p.edge, q.edge)});
+            const bool shallow = det * det <= 4.0 * names.same_square() * std::max(square, square_e);
+            out.add({on_a.x(), on_a.y(), 0.5 * (on_a.z() + on_b.z()), gap,
+                     names.of(on_a, feature_key(Meeting::edges, p.edge, q.edge)), shallow});
         }
     }
 }
@@ -127,18 +155,20 @@ void contact_patch(const Placed& a, const Placed& b, const Vec3& normal, double 
     cut(a, axes, down, r, depth, scratch.height[0], scratch.face_used, slab_a);
     cut(b, axes, normal, Vec3::Zero(), depth, scratch.height[1], scratch.face_used, slab_b);
 
+    const Names names(slab_a.vertex, slab_b.vertex, kSameCorner * size);
     Corners corners(kSameCorner * size, margin);
     for (const SlabVertex& p : slab_a.vertex) {
         const double gap = distance_along(slab_b.face, p.at, round_off);
         if (gap > margin) continue;
-        corners.add({p.at.x(), p.at.y(), p.at.z() - 0.5 * gap, gap, feature_key(Meeting::vertex_of_a, p.vertex, 0)});
+        corners.add({p.at.x(), p.at.y(), p.at.z() - 0.5 * gap, gap, names.of(p.at, 0)});
     }
     for (const SlabVertex& p : slab_b.vertex) {
         const double gap = distance_along(slab_a.face, p.at, round_off);
         if (gap > margin) continue;
-        corners.add({p.at.x(), p.at.y(), p.at.z() + 0.5 * gap, gap, feature_key(Meeting::vertex_of_b, 0, p.vertex)});
+        corners.add({p.at.x(), p.at.y(), p.at.z() + 0.5 * gap, gap, names.of(p.at, 0)});
     }
-    crossings(slab_a.edge, slab_b.edge, margin, corners);
+    crossings(slab_a.edge, slab_b.edge, margin, names, corners);
+    corners.straighten(round_off);
     corners.reduce(Manifold::kCapacity);
     out.area = corners.hull_area();
     for (int i = 0; i < corners.size(); ++i) {

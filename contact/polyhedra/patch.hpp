@@ -8,11 +8,12 @@
 // border of the overlap, where another one takes its place: between contact of faces, edges and vertices there is no
 // switch to flicker. Where two faces lie on one another the corners are those of their clipped polygon.
 //
-// Corners nearer to one another than kSameCorner of the sizes are one: it has the place of the deeper one, and the key
-// of the first kind in the order of Meeting, so that the corners of two aligned faces keep their keys when round-off
-// moves them. More than Manifold::kCapacity: the most open ones go first, down to half-way between the deepest gap and
-// the margin; then those inside of the hull, again the most open ones first; then corners of the hull, those first that
-// leave it the largest area. The deepest one stays.
+// Corners nearer to one another than kSameCorner of the sizes are one, with the place of the deeper one; and a corner
+// as near to a vertex has that vertex's key, of a first, then of b. So the corners of two aligned faces keep their keys
+// when round-off moves them; nor are edges that lie on one another nearly all along said to cross.
+// More than Manifold::kCapacity: the most open ones go first, down to half-way between the
+// deepest gap and the margin; then those inside of the hull, again the most open ones first; then corners of the hull,
+// those first that leave it the largest area. The deepest one stays.
 #pragma once
 
 #include "contact/polyhedra/manifold.hpp"

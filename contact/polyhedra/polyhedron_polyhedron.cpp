@@ -9,9 +9,10 @@
 namespace scree::contact {
 namespace {
 
-constexpr double kRoundOff = 1e-12;  // of the sizes
-constexpr double kSharp = 1e-14;     // of the sizes: bounds of the gap from both sides that agree
-constexpr double kShort = 1e-6;      // of the sizes: the direction of a shorter v is not asked without need
+constexpr double kRoundOff = 1e-12;        // of the sizes
+constexpr double kSharp = 1e-14;           // of the sizes: bounds of the gap from both sides that agree
+constexpr double kAlongFace = 1.0 - 1e-6;  // cosine: v may be the way from a face
+constexpr double kShort = 1e-6;            // of the sizes: the direction of a shorter v is not asked without need
 
 bool less(const Vec3& x, const Vec3& y) {
     return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
@@ -56,21 +57,26 @@ PolyhedraGap sharpened(const Placed& a, const Placed& b, const ClosestPoints& cl
         direction = (direction - (direction.dot(d) / d.squaredNorm()) * d).normalized();
     }
     PolyhedraGap best{separation(a, b, direction), direction};
+    const std::size_t i = second_of(closest.on_a, closest.corners), j = second_of(closest.on_b, closest.corners);
+    if (closest.corners == 3 && i != 0 && j != 0) {
+        const Vec3 d = a.vertex[closest.on_a[i]] - a.vertex[closest.on_a[0]];
+        Vec3 across = d.cross(b.vertex[closest.on_b[j]] - b.vertex[closest.on_b[0]]);
+        across -= (across.dot(d) / d.squaredNorm()) * d;
+        if (!across.isZero(0.0)) {
+            across.normalize();
+            if (across.dot(direction) < 0.0) across = -across;
+            const double s = separation(a, b, across);
+            if (s >= best.gap) best = {s, across};
+        }
+    }
+    // A face's normal is the cleanest: it is taken if it does as well.
     const auto attempt = [&](const Vec3& normal) {
+        if (normal.dot(direction) < kAlongFace) return;
         const double s = separation(a, b, normal);
-        if (s >= best.gap) best = {s, normal};
+        if (s >= best.gap - kSharp * (a.shape->radius + b.shape->radius)) best = {s, normal};
     };
-    if (closest.corners < 3) return best;
-    const std::size_t i = second_of(closest.on_a, 3), j = second_of(closest.on_b, 3);
-    if (j == 0) attempt(-a.normal[face_towards(a, -direction)]);
-    if (i == 0) attempt(b.normal[face_towards(b, direction)]);
-    if (i == 0 || j == 0) return best;
-    const Vec3 d = a.vertex[closest.on_a[i]] - a.vertex[closest.on_a[0]];
-    Vec3 across = d.cross(b.vertex[closest.on_b[j]] - b.vertex[closest.on_b[0]]);
-    across -= (across.dot(d) / d.squaredNorm()) * d;
-    if (across.isZero(0.0)) return best;
-    across.normalize();
-    attempt(across.dot(direction) < 0.0 ? Vec3(-across) : across);
+    attempt(-a.normal[face_towards(a, -direction)]);
+    attempt(b.normal[face_towards(b, direction)]);
     return best;
 }
 

@@ -15,7 +15,7 @@ constexpr double kParallel = 1e-12;    // sine
 std::size_t faces(const Placed& of, const Placed& other, const Vec3& r, bool of_a, std::vector<double>& row,
                   SeparatingAxis& best) {
     const std::size_t vertices = other.vertex.size();
-    row.resize(kMaskBits * vertices);
+    if (row.size() < kMaskBits * vertices) row.resize(kMaskBits * vertices);
     std::size_t rows = 0;
     for (std::uint32_t f = 0; f < of.normal.size(); ++f) {
         const Vec3 normal = of.normal[f];
