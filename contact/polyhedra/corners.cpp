@@ -22,9 +22,10 @@ void Corners::add(const Corner& corner) {
         Corner& other = item_[static_cast<std::size_t>(i)];
         const double du = corner.u - other.u, dv = corner.v - other.v;
         if (corner.key != other.key && du * du + dv * dv > same_square_) continue;
-        const FeatureKey key = std::min(other.key, corner.key);
+        const bool same_kind = other.key >> 30U == corner.key >> 30U, deeper = corner.gap < other.gap;
+        const FeatureKey key = same_kind ? (deeper ? corner.key : other.key) : std::min(other.key, corner.key);
         const bool shallow = other.shallow && corner.shallow;
-        if (corner.gap < other.gap) other = corner;
+        if (deeper) other = corner;
         other.key = key, other.shallow = shallow;
         return;
     }

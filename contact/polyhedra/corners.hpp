@@ -21,6 +21,7 @@ class Corners {
     // Corners nearer than `same` are one; `margin` is the largest gap that is added.
     Corners(double same, double margin) : same_square_(same * same), margin_(margin) {}
 
+    // Of two that are one the deeper stays, with its key or that of a kind that comes before (Meeting).
     void add(const Corner& corner);
     // Leaves out shallow corners on the straight way between two others: the next round-off would move or remove them.
     void straighten(double round_off);
