@@ -155,8 +155,9 @@ void contact_patch(const Placed& a, const Placed& b, const Vec3& normal, double 
     cut(a, axes, down, r, depth, scratch.height[0], scratch.face_used, slab_a);
     cut(b, axes, normal, Vec3::Zero(), depth, scratch.height[1], scratch.face_used, slab_b);
 
-    const Names names(slab_a.vertex, slab_b.vertex, kSameCorner * size);
-    Corners corners(kSameCorner * size, margin);
+    const double same = kSameCorner * std::min(a.shape->radius, b.shape->radius);
+    const Names names(slab_a.vertex, slab_b.vertex, same);
+    Corners corners(same, margin);
     for (const SlabVertex& p : slab_a.vertex) {
         const double gap = distance_along(slab_b.face, p.at, round_off);
         if (gap > margin) continue;

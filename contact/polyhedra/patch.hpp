@@ -8,12 +8,12 @@
 // border of the overlap, where another one takes its place: between contact of faces, edges and vertices there is no
 // switch to flicker. Where two faces lie on one another the corners are those of their clipped polygon.
 //
-// Corners nearer to one another than kSameCorner of the sizes are one, with the place of the deeper one; and a corner
-// as near to a vertex has that vertex's key, of a first, then of b. So the corners of two aligned faces keep their keys
-// when round-off moves them; nor are edges that lie on one another nearly all along said to cross.
-// More than Manifold::kCapacity: the most open ones go first, down to half-way between the
-// deepest gap and the margin; then those inside of the hull, again the most open ones first; then corners of the hull,
-// those first that leave it the largest area. The deepest one stays.
+// Corners nearer to one another than kSameCorner of the smaller radius are one, with the place of the deeper one; and a
+// corner as near to a vertex has that vertex's key, of a first, then of b. So the corners of two aligned faces keep
+// their keys when round-off moves them; nor are edges that lie on one another nearly all along said to cross. More than
+// Manifold::kCapacity: the most open ones go first, down to half-way between the deepest gap and the margin; then those
+// inside of the hull, again the most open ones first; then corners of the hull, those first that leave it the largest
+// area. The deepest one stays.
 #pragma once
 
 #include "contact/polyhedra/manifold.hpp"
@@ -22,7 +22,7 @@
 
 namespace scree::contact {
 
-inline constexpr double kSameCorner = 1e-5;  // of the sum of the bodies' radii
+inline constexpr double kSameCorner = 2e-5;  // of the smaller body's radius
 
 // `points` from the position of b. Overwrites `out`, which is empty if no corner is within the margin.
 void contact_patch(const Placed& a, const Placed& b, const Vec3& normal, double margin, PolyhedraScratch& scratch,

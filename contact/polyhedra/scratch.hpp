@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/convex_shape.hpp"
 #include "core/vec.hpp"
 
 namespace scree::contact {
@@ -34,6 +35,10 @@ struct PolyhedraScratch {
     std::vector<SlabVertex> slab_vertex[2];
     std::vector<SlabEdge> slab_edge[2];
     std::vector<SlabFace> slab_face[2];
+
+    // terrain: a triangle with upright sides, as a shape
+    ConvexShape triangle;
+    std::vector<Vec3> triangle_room;
 };
 
 }  // namespace scree::contact

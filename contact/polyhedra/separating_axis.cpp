@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "contact/polyhedra/gauss_map.hpp"
+
 namespace scree::contact {
 namespace {
 
 using Kind = SeparatingAxis::Kind;
 
 constexpr std::size_t kMaskBits = 64;  // faces that can rule out edges
-constexpr double kParallel = 1e-12;    // sine
 
 // Faces of `of` against the vertices of `other`, whose centre is at `r` from that of `of`. The rows of heights of the
 // first faces that had a chance stay in `row`; returns how many.
@@ -53,40 +54,16 @@ void edges_near(const Placed& body, const std::vector<double>& row, std::size_t 
     }
 }
 
-struct Arc {  // an edge on the Gauss map: from the normal of its left face to that of its right one
-    Vec3 along, left, right, point;
-
-    Arc(const Placed& body, std::uint32_t e) {
-        const ConvexShape::Edge& edge = body.shape->edge[e];
-        along = body.vertex[edge.to] - body.vertex[edge.from];
-        left = body.normal[edge.left], right = body.normal[edge.right];
-        point = body.vertex[edge.from];
-    }
-};
-
-// The arc of a crosses that of b mirrored at the origin: the edges span a face of the Minkowski difference.
-bool cross(const Arc& a, const Arc& b) {
-    const double cba = b.left.dot(a.along), dba = b.right.dot(a.along);
-    if (cba * dba >= 0.0) return false;
-    const double adc = -a.left.dot(b.along), bdc = -a.right.dot(b.along);
-    return adc * bdc < 0.0 && cba * bdc > 0.0;
-}
-
 void edge_pairs(const Placed& a, const Placed& b, const Vec3& r, const PolyhedraScratch& scratch,
                 SeparatingAxis& best) {
     for (const std::uint32_t ea : scratch.edge[0]) {
-        const Arc arc_a(a, ea);
-        const double square_a = arc_a.along.squaredNorm();
+        const detail::Arc arc_a(a, ea);
         for (const std::uint32_t eb : scratch.edge[1]) {
-            const Arc arc_b(b, eb);
-            if (!cross(arc_a, arc_b)) continue;
-            Vec3 normal = arc_a.along.cross(arc_b.along);
-            const double length = normal.norm();
-            if (length <= kParallel * std::sqrt(square_a * arc_b.along.squaredNorm())) continue;
-            normal /= length;
-            normal -= (normal.dot(arc_a.along) / square_a) * arc_a.along;
-            normal.normalize();
-            if (normal.dot(arc_a.left + arc_a.right) > 0.0) normal = -normal;  // a's outside lies towards b
+            const detail::Arc arc_b(b, eb);
+            if (!detail::cross(arc_a, arc_b)) continue;
+            Vec3 normal;
+            if (!detail::across_edges(arc_a, arc_b, normal)) continue;
+            normal = -normal;
             if (normal.dot(arc_a.point + r - arc_b.point) <= best.separation) continue;
             // What round-off made of an arc's end must not pass for a separation: the supports decide.
             const double s = separation(a, b, normal);

@@ -36,6 +36,7 @@ void add_edge(TerrainMesh& mesh, const HalfEdge* half, std::size_t sides) {
         mesh.triangle[t].edge[half[i].corner] = index;
     }
     if (sides == 2) edge.convex = mesh.triangle[edge.left].normal.dot(edge.into_right) < -kFlat;
+    if (edge.convex) mesh.on_ridge[edge.from] = mesh.on_ridge[edge.to] = 1;
     mesh.edge.push_back(edge);
 }
 
@@ -59,6 +60,7 @@ TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std:
     TerrainMesh mesh;
     mesh.vertex = std::move(vertices);
     mesh.owner.assign(mesh.vertex.size(), TerrainMesh::kNone);
+    mesh.on_ridge.assign(mesh.vertex.size(), 0);
     mesh.outward.assign(mesh.vertex.size(), Vec3::Zero());
     std::vector<HalfEdge> half;
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
