@@ -1,5 +1,5 @@
 // Coordinates of a point about an axis: height, distance from the axis, and the unit vectors that go with them.
-// Private to this folder.
+// Private to contact/.
 #pragma once
 
 #include <cmath>
