@@ -1,11 +1,14 @@
 #include "app/run_loop.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "app/phase_timer.hpp"
 
 namespace scree::app {
 namespace {
+
+constexpr std::uint64_t kRankRecords = 100;  // in a run
 
 std::vector<double> measured_row(RunContext& run, const StepReport& report) {
     const PhaseTimer timer(run.state.totals, Phase::measures);
@@ -57,7 +60,15 @@ void write_due(RunContext& run, const StepReport& report) {
 
 void log_progress(RunContext& run, const StepReport& report) {
     run.output.log_progress(run.state, report, run.times.mean(run.state));
-    if (!run.ranks.alone()) run.output.log_ranks(run.times.loads(run.state, run.stepper.rank_report(run.state)));
+}
+
+// How ranks share the work, a hundred times in a run: by steps, which all ranks count alike.
+bool ranks_due(const RunContext& run) {
+    const std::uint64_t steps = run.schedule.steps, every = std::max<std::uint64_t>(steps / kRankRecords, 1);
+    return !run.ranks.alone() && (run.state.step % every == 0 || run.state.step == steps);
+}
+void log_ranks(RunContext& run) {
+    run.output.log_ranks(run.times.loads(run.state, run.stepper.rank_report(run.state)));
 }
 
 void show_progress(RunContext& run, const StepReport& report, const Decisions& made) {
@@ -84,6 +95,7 @@ RunEnd run_loop(RunContext& run) {
         const Decisions made = decide(run);
         write_due(run, end.last);
         show_progress(run, end.last, made);
+        if (ranks_due(run)) log_ranks(run);
         const bool stop = made.stop != StopCause::none && state.step < run.schedule.steps;
         if (stop || made.checkpoint) write_checkpoint(run);
         if (stop) {
