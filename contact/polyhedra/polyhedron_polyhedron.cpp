@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRoundOff = 1e-12;        // of the sizes
 constexpr double kSharp = 1e-14;           // of the sizes: bounds of the gap from both sides that agree
-constexpr double kLoose = 1e-9;            // of the sizes: those that leave no doubt of the normal
+constexpr double kLoose = 2e-10;           // of the sizes: those that leave no doubt of the normal
 constexpr double kAlongFace = 1.0 - 1e-6;  // cosine: v may be the way from a face
 
 bool less(const Vec3& x, const Vec3& y) {
@@ -187,10 +187,23 @@ bool polyhedron_polyhedron(const Placed& a, const Placed& b, double margin, Vec3
     if (found.gap > margin) return false;
     contact_patch(first, second, found.normal, margin, scratch, out);
     for (ManifoldPoint& p : std::span(out.item).first(static_cast<std::size_t>(out.count))) p.point += second.position;
-    if (out.count == 0) {  // round-off at a border hid the corner
+    // A vertex or an edge nearest to an edge, by a way so short that its direction is lost, may not lie over it along
+    // the normal: the vertex that reaches farthest stands for it.
+    const auto deep = [&](const ManifoldPoint& p) { return p.gap <= found.gap + kLoose * size; };
+    const std::span<const ManifoldPoint> points = out.points();
+    if (std::none_of(points.begin(), points.end(), deep)) {
         const std::uint32_t vertex = lowest(first, found.normal).vertex;
-        out.add({first.position + first.vertex[vertex] - 0.5 * found.gap * found.normal, found.normal, found.gap,
-                 feature_key(Meeting::vertex_of_a, vertex, 0)});
+        const FeatureKey key = feature_key(Meeting::vertex_of_a, vertex, 0);
+        const auto same = std::find_if(out.item.begin(), out.item.begin() + out.count,
+                                       [&](const ManifoldPoint& p) { return p.key == key; });
+        const ManifoldPoint point{first.position + first.vertex[vertex] - 0.5 * found.gap * found.normal, found.normal,
+                                  found.gap, key};
+        if (same != out.item.begin() + out.count) {
+            *same = point;
+        } else {
+            out.count = std::min(out.count, Manifold::kCapacity - 1);
+            out.add(point);
+        }
     }
     if (exchange) {
         for (ManifoldPoint& p : std::span(out.item).first(static_cast<std::size_t>(out.count))) {
