@@ -16,12 +16,13 @@ namespace scree::contact {
 enum class Nearness : std::uint8_t {
     far,         // farther apart than the margin; v is a direction that shows it
     near,        // apart by |v|
-    overlapping  // or apart by no more than round-off; v means nothing
+    overlapping  // or nearly so; separating_axis.hpp knows
 };
 
 struct ClosestPoints {
     Nearness nearness;
-    Vec3 v;                                   // [m] from b to a
+    Vec3 v;                                   // [m] from b to a, a point of the difference: |v| is no less than the gap
+    double bound;                             // [m] the gap is no less than that
     int corners;                              // of the last simplex, the hull of which holds v
     std::array<std::uint32_t, 3> on_a, on_b;  // their vertices
 };

@@ -4,6 +4,7 @@
 
 #include "contact/polyhedra/closest_points.hpp"
 #include "contact/polyhedra/patch.hpp"
+#include "contact/polyhedra/segments.hpp"
 #include "contact/polyhedra/separating_axis.hpp"
 
 namespace scree::contact {
@@ -11,8 +12,8 @@ namespace {
 
 constexpr double kRoundOff = 1e-12;        // of the sizes
 constexpr double kSharp = 1e-14;           // of the sizes: bounds of the gap from both sides that agree
+constexpr double kLoose = 2e-10;           // of the sizes: those that leave no doubt of the normal
 constexpr double kAlongFace = 1.0 - 1e-6;  // cosine: v may be the way from a face
-constexpr double kShort = 1e-6;            // of the sizes: the direction of a shorter v is not asked without need
 
 bool less(const Vec3& x, const Vec3& y) {
     return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
@@ -80,6 +81,60 @@ PolyhedraGap sharpened(const Placed& a, const Placed& b, const ClosestPoints& cl
     return best;
 }
 
+// The shortest way from an edge of b to one of a, no longer than `v`; of those edges that can have it.
+Vec3 between_edges(const Placed& a, const Placed& b, const PolyhedraGap& bound, const Vec3& v,
+                   PolyhedraScratch& scratch) {
+    const Vec3 r = a.position - b.position, &n = bound.normal;
+    const double size = a.shape->radius + b.shape->radius;
+    const double depth = v.norm() - bound.gap + kRoundOff * size;
+    const double low = lowest(a, n).height + depth, high = highest(b, n).height - depth;
+    const auto near = [](const Placed& body, const auto& within, std::vector<std::uint32_t>& edges) {
+        edges.clear();
+        for (std::uint32_t e = 0; e < body.shape->edge.size(); ++e) {
+            const ConvexShape::Edge& edge = body.shape->edge[e];
+            if (within(body.vertex[edge.from]) || within(body.vertex[edge.to])) edges.push_back(e);
+        }
+    };
+    near(
+        a, [&](const Vec3& x) { return n.dot(x) <= low; }, scratch.edge[0]);
+    near(
+        b, [&](const Vec3& x) { return n.dot(x) >= high; }, scratch.edge[1]);
+    Vec3 best = v;
+    for (const std::uint32_t ea : scratch.edge[0]) {
+        const ConvexShape::Edge& p = a.shape->edge[ea];
+        for (const std::uint32_t eb : scratch.edge[1]) {
+            const ConvexShape::Edge& q = b.shape->edge[eb];
+            const Vec3 way =
+                detail::between_segments(a.vertex[p.from] + r, a.vertex[p.to] + r, b.vertex[q.from], b.vertex[q.to]);
+            if (way.squaredNorm() < best.squaredNorm()) best = way;
+        }
+    }
+    return best;
+}
+
+bool foot_within(const Placed& body, std::uint32_t face, const Vec3& x, double slack) {
+    const std::span<const std::uint32_t> corners = body.shape->corners(face);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 &p = body.vertex[corners[i]], &q = body.vertex[corners[(i + 1) % corners.size()]];
+        if (body.normal[face].cross(q - p).dot(x - p) < -slack * (q - p).norm()) return false;
+    }
+    return true;
+}
+
+// The axis is that of a face which a nearest vertex of the other body lies over: then its separation is the gap.
+bool vertex_over_face(const Placed& a, const Placed& b, const SeparatingAxis& axis) {
+    const bool of_a = axis.kind == SeparatingAxis::Kind::face_of_a;
+    if (!of_a && axis.kind != SeparatingAxis::Kind::face_of_b) return false;
+    const Placed &body = of_a ? a : b, &other = of_a ? b : a;
+    const std::uint32_t face = of_a ? axis.feature_a : axis.feature_b;
+    const Vec3 r = other.position - body.position, &out = body.normal[face];
+    const double size = a.shape->radius + b.shape->radius, low = lowest(other, out).height + kSharp * size;
+    for (const Vec3& v : other.vertex) {
+        if (out.dot(v) <= low && foot_within(body, face, v + r, kRoundOff * size)) return true;
+    }
+    return false;
+}
+
 PolyhedraGap ordered_gap(const Placed& a, const Placed& b, double margin, PolyhedraScratch& scratch) {
     const double size = a.shape->radius + b.shape->radius;
     const ClosestPoints closest = closest_points(a, b, margin);
@@ -87,17 +142,26 @@ PolyhedraGap ordered_gap(const Placed& a, const Placed& b, double margin, Polyhe
         const Vec3 direction = closest.v.normalized();
         return {separation(a, b, direction), direction};
     }
+    const double length = closest.v.norm();
+    PolyhedraGap sharp{-std::numeric_limits<double>::infinity(), Vec3::Zero()};
     if (closest.nearness == Nearness::near) {
-        const PolyhedraGap sharp = sharpened(a, b, closest);
-        const double length = closest.v.norm();
+        sharp = sharpened(a, b, closest);
         if (sharp.gap >= length - kSharp * size) return sharp;
-        if (length > kShort * size) return {length, sharp.normal};
-        const SeparatingAxis axis = separating_axis(a, b, scratch);
-        if (axis.separation >= length - kSharp * size) return {axis.separation, axis.normal};
-        return {length, axis.separation > sharp.gap ? axis.normal : sharp.normal};
+        if (closest.bound >= length - kSharp * size && sharp.gap >= length - kLoose * size)
+            return {length, sharp.normal};
     }
     const SeparatingAxis axis = separating_axis(a, b, scratch);
-    return {axis.separation, axis.normal};
+    if (axis.separation <= 0.0 || closest.nearness == Nearness::overlapping || vertex_over_face(a, b, axis)) {
+        return {axis.separation, axis.normal};
+    }
+    if (axis.separation > sharp.gap) sharp = {axis.separation, axis.normal};
+    // Apart, by something between this and |v|: round-off kept the simplex from its end.
+    const Vec3 d = between_edges(a, b, sharp, closest.v, scratch);
+    const double distance = d.norm();
+    if (distance <= sharp.gap + kLoose * size) return sharp;
+    // the direction of a short way may be all round-off
+    const Vec3 direction = d / distance;
+    return {distance, separation(a, b, direction) > sharp.gap ? direction : sharp.normal};
 }
 
 }  // namespace
@@ -123,10 +187,23 @@ bool polyhedron_polyhedron(const Placed& a, const Placed& b, double margin, Vec3
     if (found.gap > margin) return false;
     contact_patch(first, second, found.normal, margin, scratch, out);
     for (ManifoldPoint& p : std::span(out.item).first(static_cast<std::size_t>(out.count))) p.point += second.position;
-    if (out.count == 0) {  // round-off at a border hid the corner
+    // A vertex or an edge nearest to an edge, by a way so short that its direction is lost, may not lie over it along
+    // the normal: the vertex that reaches farthest stands for it.
+    const auto deep = [&](const ManifoldPoint& p) { return p.gap <= found.gap + kLoose * size; };
+    const std::span<const ManifoldPoint> points = out.points();
+    if (std::none_of(points.begin(), points.end(), deep)) {
         const std::uint32_t vertex = lowest(first, found.normal).vertex;
-        out.add({first.position + first.vertex[vertex] - 0.5 * found.gap * found.normal, found.normal, found.gap,
-                 feature_key(Meeting::vertex_of_a, vertex, 0)});
+        const FeatureKey key = feature_key(Meeting::vertex_of_a, vertex, 0);
+        const auto same = std::find_if(out.item.begin(), out.item.begin() + out.count,
+                                       [&](const ManifoldPoint& p) { return p.key == key; });
+        const ManifoldPoint point{first.position + first.vertex[vertex] - 0.5 * found.gap * found.normal, found.normal,
+                                  found.gap, key};
+        if (same != out.item.begin() + out.count) {
+            *same = point;
+        } else {
+            out.count = std::min(out.count, Manifold::kCapacity - 1);
+            out.add(point);
+        }
     }
     if (exchange) {
         for (ManifoldPoint& p : std::span(out.item).first(static_cast<std::size_t>(out.count))) {

@@ -1,9 +1,12 @@
 // Two convex polyhedra: how far apart, along which normal, and where they touch.
 //
-//   apart:        gap = |v| by closest_points.hpp; where the nearest features are a vertex and a face, or two edges,
-//   the
-//                 normal is the one of these features, which has no round-off of a short v, else v / |v|
-//   overlapping:  gap = s and its normal by separating_axis.hpp
+//   apart: gap = |v| by closest_points.hpp; where the nearest features are a vertex and a face, or two edges, the
+//     normal is that of these features, which has no round-off of a short v, else v / |v|
+//   overlapping: gap = s and its normal by separating_axis.hpp
+//   where round-off keeps |v| from its end (nearly parallel features, nearly touching): bounded by s from below and by
+//     the shortest way between edges from above
+//
+// To 1e-14 of the sizes in general position, to 3e-9 where features are nearly parallel and the gap is tiny.
 //
 // Both are the largest separation over all normals, so gap and normal go through zero without a step. Only where an
 // edge or a vertex is nearest to a vertex or an edge has the normal of bodies apart no continuation: when they touch it

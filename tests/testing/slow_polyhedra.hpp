@@ -88,7 +88,7 @@ inline Vec3 between_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, con
     const double square = n.squaredNorm();
     if (square > 1e-20 * d.squaredNorm() * e.squaredNorm()) {
         const double s = -r.cross(e).dot(n) / square, t = -r.cross(d).dot(n) / square;
-        if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) take(r.dot(n) / square * n);
+        if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) take((p0 + s * d) - (q0 + t * e));
     }
     return best;
 }
