@@ -1,8 +1,9 @@
 #include "contact/polyhedra/terrain_mesh.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
+
+#include "core/errors.hpp"
 
 namespace scree::contact {
 namespace {
@@ -19,7 +20,7 @@ struct HalfEdge {
 };
 
 [[noreturn]] void refuse(std::uint32_t triangle, const std::string& why) {
-    throw std::invalid_argument("triangle " + std::to_string(triangle) + ": " + why);
+    throw ScenarioError("triangle " + std::to_string(triangle) + ": " + why);
 }
 
 void add_edge(TerrainMesh& mesh, const HalfEdge* half, std::size_t sides) {

@@ -45,7 +45,7 @@ struct TerrainMesh {
     }
 };
 
-// Throws std::invalid_argument, naming the triangle, where one has no area, a corner that is not there, or an edge that
+// Throws ScenarioError, naming the triangle, where one has no area, a corner that is not there, or an edge that
 // another triangle has in the same direction.
 TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles);
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/errors.hpp"
 #include "tests/testing/slow_polyhedra.hpp"
 #include "tests/testing/terrain.hpp"
 
@@ -141,10 +142,10 @@ TEST(SphereTriangle, ACentreBehindIsPushedOut) {
 
 TEST(SphereTriangle, MeshesThatAreNone) {
     const std::vector<Vec3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-    EXPECT_THROW(make_terrain_mesh(p, {{0, 1, 4}}), std::invalid_argument);
-    EXPECT_THROW(make_terrain_mesh(p, {{0, 1, 1}}), std::invalid_argument);
-    EXPECT_THROW(make_terrain_mesh(p, {{0, 1, 2}, {0, 1, 3}}), std::invalid_argument);
-    EXPECT_THROW(make_terrain_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), std::invalid_argument);
+    EXPECT_THROW(make_terrain_mesh(p, {{0, 1, 4}}), ScenarioError);
+    EXPECT_THROW(make_terrain_mesh(p, {{0, 1, 1}}), ScenarioError);
+    EXPECT_THROW(make_terrain_mesh(p, {{0, 1, 2}, {0, 1, 3}}), ScenarioError);
+    EXPECT_THROW(make_terrain_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), ScenarioError);
     EXPECT_EQ(make_terrain_mesh(p, {{0, 1, 2}, {2, 1, 3}}).edge.size(), 5U);
 }
 
