@@ -1,55 +1,10 @@
 // What a scene does not need is not there: arrays, bytes, kernels; and a step in steady state allocates nothing.
-// This file counts every allocation of the test program by replacing the global operator new.
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
 
 #include "core/state_hash.hpp"
 #include "solvers/substep.hpp"
+#include "tests/testing/count_allocations.hpp"
 #include "tests/testing/world.hpp"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* allocate(std::size_t size, std::size_t align) {
-    ++allocations;
-    void* p = nullptr;
-    if (posix_memalign(&p, align, size == 0 ? 1 : size) != 0) throw std::bad_alloc();
-    return p;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return allocate(size, alignof(std::max_align_t));
-}
-void* operator new[](std::size_t size) {
-    return allocate(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t align) {
-    return allocate(size, static_cast<std::size_t>(align));
-}
-void operator delete(void* p) noexcept {
-    std::free(p);
-}
-void operator delete[](void* p) noexcept {
-    std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-    std::free(p);
-}
-void operator delete[](void* p, std::size_t) noexcept {
-    std::free(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept {
-    std::free(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
-}
 
 namespace scree::solvers {
 namespace {
@@ -125,9 +80,9 @@ TEST(PlanCosts, AStepInSteadyStateAllocatesNothing) {
         World w(1e-3, mu);
         heap(w);
         w.run(200);
-        const std::size_t before = allocations;
+        const std::size_t before = testing::allocations;
         w.run(50);
-        EXPECT_EQ(allocations - before, 0U) << "mu " << mu;
+        EXPECT_EQ(testing::allocations - before, 0U) << "mu " << mu;
     }
 }
 
