@@ -48,7 +48,6 @@ class Substep {
     const std::vector<ContactRecord>& records() const { return records_; }
     // Appends the work of this rank's blocks in the last step.
     void add_work(std::vector<BlockWork>& work) const;
-    const std::vector<double>& margins() const { return margin_; }
     Traffic traffic();
     std::size_t contacts() const { return contacts_.size(); }
     std::size_t bytes() const;

@@ -61,7 +61,6 @@ void keep_sorted(WarmStart& warm, const Keep& keep) {
     take_in_order(warm.impulse_vector, order);
     take_in_order(warm.impulse_normal, order);
     take_in_order(warm.key, order);
-    if (order.empty()) warm.key.clear();
 }
 
 std::optional<std::size_t> index_of(const std::vector<BodyId>& ids, std::uint64_t id) {
