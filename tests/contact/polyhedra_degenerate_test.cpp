@@ -7,26 +7,17 @@
 #include <set>
 
 #include "contact/polyhedra/polyhedron_polyhedron.hpp"
+#include "tests/testing/polyhedra_pair.hpp"
 #include "tests/testing/slow_polyhedra.hpp"
 
 namespace scree::contact {
 namespace {
 
+using testing::about;
 using testing::Body;
+using testing::touch;
 
 constexpr double kPi = std::numbers::pi;
-
-Manifold touch(const Placed& a, const Placed& b, double margin) {
-    PolyhedraScratch scratch;
-    Manifold found;
-    Vec3 axis = Vec3::Zero();
-    polyhedron_polyhedron(a, b, margin, axis, scratch, found);
-    return found;
-}
-
-Quat about(const Vec3& axis, double angle) {
-    return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
-}
 
 std::set<FeatureKey> keys(const Manifold& m) {
     std::set<FeatureKey> all;

@@ -6,24 +6,15 @@
 #include <numbers>
 
 #include "contact/polyhedra/polyhedron_polyhedron.hpp"
+#include "tests/testing/polyhedra_pair.hpp"
 #include "tests/testing/slow_polyhedra.hpp"
 
 namespace scree::contact {
 namespace {
 
+using testing::about;
 using testing::Body;
-
-Manifold touch(const Placed& a, const Placed& b, double margin) {
-    PolyhedraScratch scratch;
-    Manifold found;
-    Vec3 axis = Vec3::Zero();
-    polyhedron_polyhedron(a, b, margin, axis, scratch, found);
-    return found;
-}
-
-Quat about(const Vec3& axis, double angle) {
-    return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
-}
+using testing::touch;
 
 double least_gap(const Manifold& m) {
     double least = 1e300;

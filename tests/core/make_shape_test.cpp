@@ -10,9 +10,12 @@
 
 #include "core/random.hpp"
 #include "tests/testing/slices.hpp"
+#include "tests/testing/some_rotation.hpp"
 
 namespace scree {
 namespace {
+
+using testing::some_rotation;
 
 Polyhedron box(const Vec3& size) {
     Polyhedron body;
@@ -31,12 +34,6 @@ Polyhedron triangles_of(const Polyhedron& body) {
 Polyhedron moved(Polyhedron body, const Quat& rotation, const Vec3& shift) {
     for (Vec3& x : body.vertex) x = rotation * x + shift;
     return body;
-}
-Quat some_rotation(std::uint64_t seed) {
-    Random random(seed, 2, 0);
-    Eigen::Vector4d q;
-    for (int k = 0; k < 4; ++k) q[k] = random.normal();
-    return Quat(q).normalized();
 }
 Polyhedron random_hull(std::uint64_t seed, int points) {
     Random random(seed, 1, 0);

@@ -10,9 +10,12 @@
 
 #include "core/random.hpp"
 #include "tests/testing/slices.hpp"
+#include "tests/testing/some_rotation.hpp"
 
 namespace scree::scenarios {
 namespace {
+
+using testing::some_rotation;
 
 std::vector<Vec3> cloud(std::uint64_t seed, int count) {
     Random random(seed, 1, 0);
@@ -24,12 +27,6 @@ std::vector<Vec3> cube_corners() {
     std::vector<Vec3> x;
     for (int k = 0; k < 8; ++k) x.emplace_back(k & 1 ? 1.0 : 0.0, k & 2 ? 1.0 : 0.0, k & 4 ? 1.0 : 0.0);
     return x;
-}
-Quat some_rotation(std::uint64_t seed) {
-    Random random(seed, 2, 0);
-    Eigen::Vector4d q;
-    for (int k = 0; k < 4; ++k) q[k] = random.normal();
-    return Quat(q).normalized();
 }
 std::vector<Vec3> moved(std::vector<Vec3> x, const Quat& rotation, const Vec3& shift) {
     for (Vec3& v : x) v = rotation * v + shift;

@@ -82,17 +82,21 @@ TEST(Cut, ThroughCornersEdgesAndFaces) {
     }
 }
 
+void expect_volumes_add_up(const Polyhedron& body, const CutPlane& plane) {
+    const auto parts = cut(body, plane, kThickness);
+    expect_parts(body, plane, parts);
+    double sum = 0.0;
+    for (const Polyhedron& part : {parts.below, parts.above})
+        if (!part.face.empty()) sum += make_shape(part).shape.volume;
+    EXPECT_NEAR(sum / volume_of(body), 1.0, 1e-12);
+}
+
 TEST(Cut, RandomRocksByRandomPlanes) {
     for (std::uint64_t k = 0; k < 300; ++k) {
         Random random(1, 1, k);
         const Polyhedron body = polyhedron_of(random_rock({8 + static_cast<int>(k % 40), 0.8, 0.7}, Random(1, 2, k)));
         const CutPlane plane{direction(random), random.uniform(-0.3, 0.3)};
-        const auto parts = cut(body, plane, kThickness);
-        expect_parts(body, plane, parts);
-        double sum = 0.0;
-        for (const Polyhedron& part : {parts.below, parts.above})
-            if (!part.face.empty()) sum += make_shape(part).shape.volume;
-        EXPECT_NEAR(sum / volume_of(body), 1.0, 1e-12);
+        expect_volumes_add_up(body, plane);
     }
 }
 
@@ -108,12 +112,7 @@ TEST(Cut, PlanesThroughThreeCorners) {
         const Vec3 a = corner(), normal = (corner() - a).cross(corner() - a);
         if (normal.norm() < 1e-9) continue;
         const CutPlane plane{normal.normalized(), normal.normalized().dot(a) + random.uniform(-4e-16, 4e-16)};
-        const auto parts = cut(body, plane, kThickness);
-        expect_parts(body, plane, parts);
-        double sum = 0.0;
-        for (const Polyhedron& part : {parts.below, parts.above})
-            if (!part.face.empty()) sum += make_shape(part).shape.volume;
-        EXPECT_NEAR(sum / volume_of(body), 1.0, 1e-12);
+        expect_volumes_add_up(body, plane);
     }
 }
 
