@@ -8,13 +8,6 @@
 #include "contact/walls/wall_contact.hpp"
 
 namespace scree::contact {
-namespace {
-
-// Gaps smaller than this share of the radii are contact: round-off must not decide whether touching bodies touch.
-constexpr double kTouch = 1e-10;
-
-}  // namespace
-
 bool contact_margins(const Scene& scene, const State& state, const StepTimes& times, std::vector<double>& margin) {
     const Bodies& bodies = state.bodies;
     margin.resize(bodies.size());
@@ -24,6 +17,11 @@ bool contact_margins(const Scene& scene, const State& state, const StepTimes& ti
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         margin[i] = half * bodies.velocity[i].norm() + times.step * fall;
         sum += margin[i] + bodies.position[i].sum();
+    }
+    for (std::size_t i = 0; i < bodies.shape.size(); ++i) {
+        const double turning = half * bodies.spin[i].norm() * bodies.radius[i];
+        margin[i] += turning;
+        sum += turning;
     }
     return std::isfinite(sum);
 }

@@ -26,6 +26,10 @@ int rings_of(double widest) {
 
 }  // namespace
 
+double NearContacts::least_push(std::uint64_t step) {
+    return step % kRarely == 0 ? kNegligible : kShallow;
+}
+
 double NearContacts::diameter(const Contact& contact, const Bodies& bodies) {
     const double radius = bodies.radius[contact.a];
     return contact.key.is_wall() ? 2.0 * radius : radius + bodies.radius[contact.b];
@@ -34,7 +38,7 @@ double NearContacts::diameter(const Contact& contact, const Bodies& bodies) {
 // Lists the near pairs in the same walk, as wide as the last step needed, which mostly does in this one.
 void NearContacts::measure_gaps(const Scene& scene, const State& state, const CandidateList& candidates) {
     const Bodies& bodies = state.bodies;
-    const double negligible = state.step % kRarely == 0 ? kNegligible : kShallow;
+    const double negligible = least_push(state.step);
     const auto deepen = [&](std::size_t i, double gap, double diameter) {
         if (-gap <= negligible * diameter) return;
         push_[i] = std::max(push_[i], std::min(-gap, kMostPush * bodies.radius[i]));

@@ -62,6 +62,8 @@ class NearContacts {
     bool none() const { return none_; }
     // The overlaps of this rank that are in no contact of the set.
     const OverlapSums& shallow() const { return shallow_; }
+    // Overlaps up to this share of the diameter push nobody in this step.
+    static double least_push(std::uint64_t step);
     // Of a body a with contact (a, b): the diameter that penetration is compared with [m].
     static double diameter(const Contact& contact, const Bodies& bodies);
     std::size_t bytes() const;

@@ -3,23 +3,15 @@
 #include <array>
 #include <cmath>
 
+#include "solvers/body_lines.hpp"
 #include "solvers/kernels.hpp"
+#include "solvers/rigid_assembly.hpp"
+#include "solvers/rigid_kernels.hpp"
 
 namespace scree::solvers {
 namespace {
 
 constexpr double kRoundOff = 1e-12;  // of the largest velocity, in differences of velocities
-
-void set_spin(SpinningLine& line, const Vec3& w, double inverse_inertia) {
-    for (int k = 0; k < 3; ++k) line.w[k] = w[k];
-    line.inverse_inertia = inverse_inertia;
-}
-
-template <class Line>
-void set_velocity(Line& line, const Vec3& v, double inverse_mass) {
-    for (int k = 0; k < 3; ++k) line.v[k] = v[k];
-    line.inverse_mass = inverse_mass;
-}
 
 }  // namespace
 
@@ -27,11 +19,7 @@ template <class Law>
 void ContactProblem<Law>::free_lines() {
     const Bodies& bodies = state_->bodies;
     for (std::size_t i = 0; i < bodies_; ++i) {
-        Line& line = full_.line[layout_->line(i)];
-        const double inverse_mass = 1.0 / bodies.mass[i];
-        set_velocity(line, bodies.velocity[i] + dv_free_, inverse_mass);
-        if constexpr (Law::kImpulse == 3)
-            set_spin(line, bodies.radius[i] * bodies.spin[i], inverse_mass / Bodies::kSphereInertia);
+        set_body(full_.line[layout_->line(i)], bodies, i, bodies.velocity[i] + dv_free_);
     }
 }
 
@@ -45,9 +33,28 @@ void ContactProblem<Law>::rebuild_lines() {
     if (exchange_ != nullptr) exchange_->spread(full_.line.data());
 }
 
+// Of a batch that knows the lane's lines. `point`: of bodies that are not spheres.
+template <class Law>
+void ContactProblem<Law>::fill_lane(Batch& batch, int lane, const contact::Contact& contact, const Vec3* point) {
+    const Line &a = full_.line[batch.a[lane]], &b = full_.line[batch.b[lane]];
+    if constexpr (Law::kRigid) {
+        const Bodies& bodies = state_->bodies;
+        const Vec3 to_a = *point - bodies.position[contact.a];
+        const Vec3 to_b = contact.key.is_wall() ? Vec3(Vec3::Zero()) : Vec3(*point - bodies.position[contact.b]);
+        set_lane(batch, lane, {contact.normal, to_a, to_b, contact.friction, contact.bias}, a, b);
+    } else {
+        for (int d = 0; d < 3; ++d) batch.n[d][lane] = contact.normal[d];
+        batch.bias[lane] = contact.bias;
+        batch.inverse_w[lane] = 1.0 / (a.inverse_mass + b.inverse_mass);
+        if constexpr (Law::kImpulse == 3) batch.friction[lane] = contact.friction;
+    }
+    if constexpr (Law::kImpulse == 3) extremes_.friction = std::max(extremes_.friction, contact.friction);
+}
+
 template <class Law>
 void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state,
-                                   const Vec3& dv_free, const std::vector<Vec3>& wall_velocity) {
+                                   const Vec3& dv_free, const std::vector<Vec3>& wall_velocity,
+                                   const std::vector<Vec3>& points) {
     layout_ = &layout;
     state_ = &state;
     dv_free_ = dv_free;
@@ -67,27 +74,17 @@ void ContactProblem<Law>::assemble(const contact::ContactSet& contacts, const La
         batch = Batch{};
         for (int i = 0; i < kLanes; ++i) {
             if (lanes[static_cast<std::size_t>(i)] == kNoContact) continue;
-            const contact::Contact& c = contacts[lanes[static_cast<std::size_t>(i)]];
+            const std::uint32_t index = lanes[static_cast<std::size_t>(i)];
+            const contact::Contact& c = contacts[index];
             batch.a[i] = layout.line(c.a);
-            double w = full_.line[batch.a[i]].inverse_mass;
             if (!c.key.is_wall()) {
                 batch.b[i] = layout.line(c.b);
-                w += full_.line[batch.b[i]].inverse_mass;
-            } else if (!wall_velocity.empty()) {
-                const Vec3& v = wall_velocity[lanes[static_cast<std::size_t>(i)]];
-                if (!v.isZero(0.0)) {
-                    batch.b[i] = static_cast<std::uint32_t>(full_.line.size());
-                    full_.line.push_back(Line{});
-                    set_velocity(full_.line.back(), v, 0.0);
-                }
+            } else if (!wall_velocity.empty() && !wall_velocity[index].isZero(0.0)) {
+                batch.b[i] = static_cast<std::uint32_t>(full_.line.size());
+                full_.line.push_back(Line{});
+                set_velocity(full_.line.back(), wall_velocity[index], 0.0);
             }
-            for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
-            batch.bias[i] = c.bias;
-            batch.inverse_w[i] = 1.0 / w;
-            if constexpr (Law::kImpulse == 3) {
-                batch.friction[i] = c.friction;
-                extremes_.friction = std::max(extremes_.friction, c.friction);
-            }
+            fill_lane(batch, i, c, points.empty() ? nullptr : &points[index]);
         }
     }
 }
@@ -104,6 +101,7 @@ void ContactProblem<Law>::scale(double floor) {
         double here = 0.0;
         for (const double v : line.v) here = std::max(here, std::abs(v));
         fastest = std::max(fastest, here);
+        if constexpr (Law::kRigid) continue;
         if (i > layout_->touched_lines() && i <= bodies_) continue;  // no contact
         if constexpr (Law::kImpulse == 3)
             for (const double w : line.w) here = std::max(here, std::abs(w));
@@ -112,6 +110,9 @@ void ContactProblem<Law>::scale(double floor) {
         extremes_.lightest = std::max(extremes_.lightest, line.inverse_mass);
         extremes_.heaviest = std::max(extremes_.heaviest, 1.0 / line.inverse_mass);
     }
+    if constexpr (Law::kRigid)
+        for (std::size_t i = 0; i < bodies_; ++i)
+            fastest = std::max(fastest, state_->bodies.radius[i] * state_->bodies.spin[i].norm());
     std::array<double, 5> most{fastest, extremes_.fastest, extremes_.lightest, extremes_.heaviest, extremes_.friction};
     ranks_.max(most);
     extremes_ = {most[1], most[2], most[3], most[4]};
@@ -128,7 +129,9 @@ void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std
         for (int i = 0; i < kLanes; ++i) {
             const std::uint32_t c = layout_->lanes()[k][static_cast<std::size_t>(i)];
             if (c == kNoContact) continue;
-            if constexpr (Law::kImpulse == 3)
+            if constexpr (Law::kImpulse == 3 && Law::kRigid)
+                set_world_impulse(batch, i, impulse[c]);
+            else if constexpr (Law::kImpulse == 3)
                 for (int d = 0; d < 3; ++d) batch.p[d][i] = impulse[c][d];
             else
                 batch.p[0][i] = normal[c];
@@ -140,14 +143,16 @@ void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std
 
 template <class Law>
 bool ContactProblem<Law>::begin_single(const SolverSettings& settings) {
-    is_single_ = driven_ && single_is_enough(settings, extremes_, v_ref_);
-    if (is_single_) single_.load(full_, *layout_, extremes_, v_ref_);
+    if constexpr (!Law::kRigid) {
+        is_single_ = driven_ && single_is_enough(settings, extremes_, v_ref_);
+        if (is_single_) single_.load(full_, *layout_, extremes_, v_ref_);
+    }
     return is_single_;
 }
 
 template <class Law>
 void ContactProblem<Law>::end_single() {
-    single_.give_impulses(full_);
+    if constexpr (!Law::kRigid) single_.give_impulses(full_);
     is_single_ = false;
     rebuild_lines();
 }
@@ -194,8 +199,10 @@ void ContactProblem<Law>::add_work(const State& state, ContactWorkSums total) {
     for (std::size_t i = 0; i < bodies_; ++i) {
         Line& line = line_mean_[layout_->line(i)];
         for (int d = 0; d < 3; ++d) line.v[d] = 0.5 * (line.v[d] + bodies.velocity[i][d]);
-        if constexpr (Law::kImpulse == 3)
-            for (int d = 0; d < 3; ++d) line.w[d] = 0.5 * (line.w[d] + bodies.radius[i] * bodies.spin[i][d]);
+        if constexpr (kSpins) {
+            const Vec3 before = spin_in_line(line, bodies, i);
+            for (int d = 0; d < 3; ++d) line.w[d] = 0.5 * (line.w[d] + before[d]);
+        }
     }
     const Pack zero = Pack::all(0.0);
     for (const Block& block : blocks()) {
@@ -218,8 +225,7 @@ void ContactProblem<Law>::velocities(State& state) const {
     for (std::size_t i = 0; i < bodies_; ++i) {
         const Line& line = full_.line[layout_->line(i)];
         for (int d = 0; d < 3; ++d) bodies.velocity[i][d] = line.v[d];
-        if constexpr (Law::kImpulse == 3)
-            for (int d = 0; d < 3; ++d) bodies.spin[i][d] = line.w[d] / bodies.radius[i];
+        if constexpr (kSpins) bodies.spin[i] = spin_of_line(line, bodies, i);
     }
 }
 
@@ -233,7 +239,9 @@ void ContactProblem<Law>::impulses(std::vector<Vec3>& impulse, std::vector<doubl
         for (int i = 0; i < kLanes; ++i) {
             const std::uint32_t c = layout_->lanes()[k][static_cast<std::size_t>(i)];
             if (c == kNoContact) continue;
-            if constexpr (Law::kImpulse == 3)
+            if constexpr (Law::kImpulse == 3 && Law::kRigid)
+                impulse[c] = world_impulse(full_.batch[k], i);
+            else if constexpr (Law::kImpulse == 3)
                 impulse[c] = Vec3(full_.batch[k].p[0][i], full_.batch[k].p[1][i], full_.batch[k].p[2][i]);
             else
                 normal[c] = full_.batch[k].p[0][i];
@@ -247,5 +255,7 @@ std::size_t ContactProblem<Law>::bytes() const {
 
 template class ContactProblem<Frictional>;
 template class ContactProblem<Frictionless>;
+template class ContactProblem<RigidFrictional>;
+template class ContactProblem<RigidFrictionless>;
 
 }  // namespace scree::solvers

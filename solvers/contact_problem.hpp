@@ -14,6 +14,7 @@
 #include "solvers/batch.hpp"
 #include "solvers/layout.hpp"
 #include "solvers/line_exchange.hpp"
+#include "solvers/rigid_batch.hpp"
 #include "solvers/single_problem.hpp"
 
 namespace scree::solvers {
@@ -35,9 +36,10 @@ class ContactProblem {
     void exchange_by(LineExchange* exchange) { exchange_ = exchange; }
 
     // Free velocities into the lines (v + h g), contacts into the batches with zero impulses.
-    // `wall_velocity`: of each moving-wall contact in order of key, others ignored.
+    // `wall_velocity`: of each moving-wall contact in order of key, others ignored. `points` [m]: of each contact, if
+    // bodies are not spheres.
     void assemble(const contact::ContactSet& contacts, const Layout& layout, const State& state, const Vec3& dv_free,
-                  const std::vector<Vec3>& wall_velocity);
+                  const std::vector<Vec3>& wall_velocity, const std::vector<Vec3>& points = {});
     // v_ref = sqrt(sum |q|^2 / contacts), at least `floor` [m/s], from the free velocities in the lines.
     void scale(double floor);
     // Some |q| is not zero; otherwise zero impulses are the solution.
@@ -79,6 +81,9 @@ class ContactProblem {
     std::size_t bytes() const;
 
   private:
+    static constexpr bool kSpins = Law::kImpulse == 3 || Law::kRigid;  // lines hold spins
+
+    void fill_lane(Batch& batch, int lane, const contact::Contact& contact, const Vec3* point);
     void free_lines();
 
     const Communicator& ranks_;
@@ -100,5 +105,7 @@ class ContactProblem {
 
 extern template class ContactProblem<Frictional>;
 extern template class ContactProblem<Frictionless>;
+extern template class ContactProblem<RigidFrictional>;
+extern template class ContactProblem<RigidFrictionless>;
 
 }  // namespace scree::solvers

@@ -4,12 +4,18 @@
 #include <cmath>
 
 #include "core/parallel/body_sums.hpp"
+#include "solvers/rotation.hpp"
 
 namespace scree::solvers {
 namespace {
 
-double inertia(const Bodies& bodies, std::size_t i) {
-    return Bodies::kSphereInertia * bodies.mass[i] * bodies.radius[i] * bodies.radius[i];
+// Twice the kinetic energy of rotation [J].
+double spin_energy_of_sphere(const Bodies& bodies, std::size_t i) {
+    return Bodies::kSphereInertia * bodies.mass[i] * bodies.radius[i] * bodies.radius[i] *
+           bodies.spin[i].squaredNorm();
+}
+double spin_energy_of_shape(const Bodies& bodies, std::size_t i) {
+    return angular_momentum(bodies.orientation[i], bodies.inertia[i], bodies.spin[i]).dot(bodies.spin[i]);
 }
 
 Vec3 three(std::span<const ExactSum> sums) {
@@ -44,8 +50,10 @@ void add_energies(const Bodies& bodies, std::span<ExactSum, kEnergySums> sums) {
                               mass * x.z()};
         });
     };
-    if (bodies.has_spin())
-        add([&](std::size_t i) { return inertia(bodies, i) * bodies.spin[i].squaredNorm(); });
+    if (bodies.has_shapes())
+        add([&](std::size_t i) { return spin_energy_of_shape(bodies, i); });
+    else if (bodies.has_spin())
+        add([&](std::size_t i) { return spin_energy_of_sphere(bodies, i); });
     else
         add([](std::size_t) { return 0.0; });
 }
@@ -84,7 +92,10 @@ Vec3 weighted_position(const Bodies& bodies, const Communicator& ranks) {
 
 double energy_of(const Bodies& bodies, std::size_t i, const Vec3& gravity) {
     double energy = 0.5 * bodies.mass[i] * bodies.velocity[i].squaredNorm();
-    if (bodies.has_spin()) energy += 0.5 * inertia(bodies, i) * bodies.spin[i].squaredNorm();
+    if (bodies.has_shapes())
+        energy += 0.5 * spin_energy_of_shape(bodies, i);
+    else if (bodies.has_spin())
+        energy += 0.5 * spin_energy_of_sphere(bodies, i);
     return energy - bodies.mass[i] * gravity.dot(bodies.position[i]);
 }
 

@@ -68,5 +68,7 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
 
 template SolveReport gauss_seidel(ContactProblem<Frictional>&, const SolverSettings&);
 template SolveReport gauss_seidel(ContactProblem<Frictionless>&, const SolverSettings&);
+template SolveReport gauss_seidel(ContactProblem<RigidFrictional>&, const SolverSettings&);
+template SolveReport gauss_seidel(ContactProblem<RigidFrictionless>&, const SolverSettings&);
 
 }  // namespace scree::solvers

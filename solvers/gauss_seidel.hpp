@@ -27,5 +27,7 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
 
 extern template SolveReport gauss_seidel(ContactProblem<Frictional>&, const SolverSettings&);
 extern template SolveReport gauss_seidel(ContactProblem<Frictionless>&, const SolverSettings&);
+extern template SolveReport gauss_seidel(ContactProblem<RigidFrictional>&, const SolverSettings&);
+extern template SolveReport gauss_seidel(ContactProblem<RigidFrictionless>&, const SolverSettings&);
 
 }  // namespace scree::solvers

@@ -44,12 +44,20 @@ double choose_block_size(const Bodies& bodies, const Communicator& ranks) {
     return std::min(std::max(5.0 * median, 2.2 * widest), 16.0 * median);
 }
 
-void Layout::place(const contact::ContactSet& contacts, const Bodies& bodies, double block_size) {
+void Layout::find_homes(const contact::ContactSet& contacts, const std::vector<Vec3>& points, const Bodies& bodies,
+                        double block_size) {
+    home_.resize(contacts.size());
+    if (points.empty())
+        for (std::size_t c = 0; c < contacts.size(); ++c) home_[c] = contact::home_of(contacts[c], bodies, block_size);
+    else
+        for (std::size_t c = 0; c < contacts.size(); ++c)
+            home_[c] = contact::home_of(contacts[c], points[c], bodies, block_size);
+}
+
+void Layout::place(const contact::ContactSet& contacts) {
     constexpr std::int32_t kLarge = 2 * kMostBlocks;
     std::array<std::int32_t, 3> low{kLarge, kLarge, kLarge}, high{-kLarge, -kLarge, -kLarge};
-    home_.resize(contacts.size());
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        home_[c] = contact::home_of(contacts[c], bodies, block_size);
         for (std::size_t d = 0; d < 3; ++d) {
             low[d] = std::min(low[d], home_[c].block[d]);
             high[d] = std::max(high[d], home_[c].block[d]);
@@ -163,13 +171,14 @@ void Layout::sort_phase(PhaseBlocks& phase, const contact::ContactSet& contacts,
 }
 
 void Layout::arrange(const contact::ContactSet& contacts, const Bodies& bodies, double block_size,
-                     const std::vector<std::uint8_t>& shared) {
+                     const std::vector<std::uint8_t>& shared, const std::vector<Vec3>& points) {
     blocks_.clear();
     lane_.clear();
     home_.clear();
     phase_.fill({});
     if (!contacts.empty()) {
-        place(contacts, bodies, block_size);
+        find_homes(contacts, points, bodies, block_size);
+        place(contacts);
         // stable: contacts of a block stay in order of key
         radix_sort(placed_, sorted_, [](const Placed& p) { return p.block; });
         occupied_.resize(bodies.size());

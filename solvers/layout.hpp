@@ -29,8 +29,9 @@ double choose_block_size(const Bodies& bodies, const Communicator& ranks = Commu
 class Layout {
   public:
     // Blocks and lanes for `contacts` (in order of key). `shared`: bodies that other ranks hold too, n, or empty.
+    // `points` [m]: of the contacts, empty where bodies are spheres.
     void arrange(const contact::ContactSet& contacts, const Bodies& bodies, double block_size,
-                 const std::vector<std::uint8_t>& shared = {});
+                 const std::vector<std::uint8_t>& shared = {}, const std::vector<Vec3>& points = {});
 
     const std::vector<Block>& blocks() const { return blocks_; }
     // Blocks of a phase: those before `inner` touch shared bodies and are done first.
@@ -55,7 +56,9 @@ class Layout {
         std::uint64_t block;  // sorts by colour, then z, y, x
         std::uint32_t contact;
     };
-    void place(const contact::ContactSet& contacts, const Bodies& bodies, double block_size);
+    void find_homes(const contact::ContactSet& contacts, const std::vector<Vec3>& points, const Bodies& bodies,
+                    double block_size);
+    void place(const contact::ContactSet& contacts);
     void fill_block(const contact::ContactSet& contacts, std::size_t begin, std::size_t end);
 
     std::vector<contact::ContactHome> home_;  // one a contact

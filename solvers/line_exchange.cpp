@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "solvers/lines.hpp"
+#include "solvers/rigid_lines.hpp"
 
 namespace scree::solvers {
 namespace {
@@ -32,12 +33,28 @@ template <class Real>
 void give(const Real* from, SlidingLineOf<Real>& line) {
     for (int d = 0; d < 3; ++d) line.v[d] = from[d];
 }
+template <class Real>
+void take(const RigidLineOf<Real>& line, Real* to) {
+    for (int d = 0; d < 3; ++d) {
+        to[d] = line.v[d];
+        to[3 + d] = line.w[d];
+    }
+}
+template <class Real>
+void give(const Real* from, RigidLineOf<Real>& line) {
+    for (int d = 0; d < 3; ++d) {
+        line.v[d] = from[d];
+        line.w[d] = from[3 + d];
+    }
+}
 template <class Line>
 using RealOf = std::remove_extent_t<decltype(Line::v)>;
 template <class Line>
 constexpr std::size_t kNumbers = 3;
 template <class Real>
 constexpr std::size_t kNumbers<SpinningLineOf<Real>> = 6;
+template <class Real>
+constexpr std::size_t kNumbers<RigidLineOf<Real>> = 6;
 
 constexpr std::size_t kTransfers = LineExchange::kSpread + 1;  // to one neighbour, at most
 constexpr std::size_t kAhead = 2;                              // phases after it was sent, a message is taken
@@ -170,6 +187,10 @@ template void LineExchange::send(std::size_t, const SpinningLineOf<double>*);
 template void LineExchange::receive(std::size_t, SpinningLineOf<double>*);
 template void LineExchange::send(std::size_t, const SlidingLineOf<double>*);
 template void LineExchange::receive(std::size_t, SlidingLineOf<double>*);
+template void LineExchange::send(std::size_t, const RigidLineOf<double>*);
+template void LineExchange::receive(std::size_t, RigidLineOf<double>*);
+template void LineExchange::send(std::size_t, const RigidLineOf<float>*);
+template void LineExchange::receive(std::size_t, RigidLineOf<float>*);
 template void LineExchange::send(std::size_t, const SpinningLineOf<float>*);
 template void LineExchange::receive(std::size_t, SpinningLineOf<float>*);
 template void LineExchange::send(std::size_t, const SlidingLineOf<float>*);

@@ -7,18 +7,9 @@
 
 #include "core/parallel/body_sums.hpp"
 #include "solvers/kernels.hpp"
+#include "solvers/settle.hpp"
 
 namespace scree::solvers {
-namespace {
-
-// Sweeps end when none moves a contact by more than this share of the smallest diameter.
-constexpr double kSettled = 1e-4;
-constexpr int kSweepsALook = 4;  // a look is a maximum over all ranks
-// Deep overlaps are those of impacts: all of them goes at once, but for this share of the diameter.
-constexpr double kMostLeft = 3e-3;
-
-}  // namespace
-
 void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share) {
     full_.line.resize(bodies.size() + 1);
     full_.line[kGround] = SlidingLine{};
@@ -35,8 +26,7 @@ void PositionCorrection::assemble(const contact::ContactSet& contacts, const Bod
             batch.a[i] = layout_.line(c.a);
             batch.b[i] = c.key.is_wall() ? kGround : layout_.line(c.b);
             for (int d = 0; d < 3; ++d) batch.n[d][i] = c.normal[d];
-            const double most_left = kMostLeft * contact::NearContacts::diameter(c, bodies);
-            batch.bias[i] = c.gap < 0.0 ? std::min(share * c.gap, c.gap + most_left) : c.gap;
+            batch.bias[i] = correction_bias(c.gap, share, contact::NearContacts::diameter(c, bodies));
             batch.inverse_w[i] = 1.0 / (full_.line[batch.a[i]].inverse_mass + full_.line[batch.b[i]].inverse_mass);
         }
     }
@@ -55,26 +45,6 @@ Penetration PositionCorrection::measure(const contact::ContactSet& contacts, con
     return sums.over(ranks, closed);
 }
 
-// `settled` [m], of this rank's bodies; `unit` [m] of the lines.
-template <class Real, class Order>
-int PositionCorrection::sweep_until_settled(Sweeps<Frictionless, Real>& sweeps, const Order& order, double settled,
-                                            double unit, int most, const Communicator& ranks) {
-    using Numbers = PackOf<Real>;
-    const Numbers none = Numbers::all(0);
-    for (int sweep = 1; sweep <= most; ++sweep) {
-        Numbers farthest = none;
-        sweeps.over_blocks(order, &exchange_, [&](std::uint32_t k) {
-            farthest = max(farthest, update<false>(sweeps.batch[k], sweeps.line.data(), nullptr, none));
-        });
-        std::array<double, 2> of_all{max_lanes(farthest), -settled};
-        const bool look = sweep % kSweepsALook == 0;
-        if (look) ranks.max(of_all);
-        sweeps.complete(&exchange_);
-        if (look && unit * std::sqrt(of_all[0]) <= -of_all[1]) return sweep;
-    }
-    return most;
-}
-
 // Displacements are differences of gaps that are known exactly: single precision loses nothing that counts.
 int PositionCorrection::sweep(const Scene& scene, const contact::ContactSet& contacts, const State& state,
                               const Communicator& ranks) {
@@ -82,7 +52,7 @@ int PositionCorrection::sweep(const Scene& scene, const contact::ContactSet& con
     for (const contact::Contact& c : contacts) settled = std::min(settled, kSettled * 2.0 * state.bodies.radius[c.a]);
     const int most = scene.correction.sweeps;
     if (scene.solver.precision == SolverPrecision::full) {
-        const int sweeps = sweep_until_settled(full_, layout_, settled, 1.0, most, ranks);
+        const int sweeps = sweep_until_settled(full_, layout_, exchange_, settled, 1.0, most, ranks);
         exchange_.spread(full_.line.data());
         return sweeps;
     }
@@ -90,7 +60,7 @@ int PositionCorrection::sweep(const Scene& scene, const contact::ContactSet& con
     const Extremes extremes{0.0, contacts.empty() ? 1.0 : 1.0 / *lightest, contacts.empty() ? 1.0 : *heaviest, 0.0};
     single_.load(full_, layout_, extremes, state.block_size);
     const double unit = single_.velocity_unit();
-    const int sweeps = sweep_until_settled(single_.sweeps, single_, settled, unit, most, ranks);
+    const int sweeps = sweep_until_settled(single_.sweeps, single_, exchange_, settled, unit, most, ranks);
     exchange_.spread(single_.sweeps.line.data());
     for (std::size_t i = 0; i < full_.line.size(); ++i)
         for (int d = 0; d < 3; ++d) full_.line[i].v[d] = unit * static_cast<double>(single_.sweeps.line[i].v[d]);

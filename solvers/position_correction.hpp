@@ -34,10 +34,7 @@ class PositionCorrection {
 
   private:
     void assemble(const contact::ContactSet& contacts, const Bodies& bodies, double share);
-    // Both return the number of sweeps.
-    template <class Real, class Order>
-    int sweep_until_settled(Sweeps<Frictionless, Real>& sweeps, const Order& order, double settled, double unit,
-                            int most, const Communicator& ranks);
+    // Returns the number of sweeps.
     int sweep(const Scene& scene, const contact::ContactSet& contacts, const State& state, const Communicator& ranks);
     Penetration measure(const contact::ContactSet& contacts, const Bodies& bodies, const Communicator& ranks,
                         std::size_t closed) const;

@@ -25,6 +25,12 @@ double thin_wall_speed(const Scene& scene, const State& state, std::size_t i, do
     return fastest;
 }
 
+// Of the largest ball within body i [m].
+double inner_radius(const State& state, std::size_t i) {
+    const Bodies& bodies = state.bodies;
+    return bodies.is_sphere(i) ? bodies.radius[i] : state.shapes[raw(bodies.shape[i])].inner_radius;
+}
+
 // Into how many equal substeps this step is cut, a power of two: no body moves more than max_travel of its radius,
 // relative to the thin walls.
 int substeps(const Scene& scene, const Plan& plan, const State& state, const Communicator& ranks) {
@@ -34,7 +40,7 @@ int substeps(const Scene& scene, const Plan& plan, const State& state, const Com
     for (std::size_t i = 0; i < state.bodies.size(); ++i) {
         double speed = state.bodies.velocity[i].norm() + h * g;
         if (plan.moving_walls) speed += thin_wall_speed(scene, state, i, h);
-        most = std::max(most, h * speed / state.bodies.radius[i]);
+        most = std::max(most, h * speed / inner_radius(state, i));
     }
     most = ranks.max(most);
     if (most <= scene.time.max_travel) return 1;
@@ -86,14 +92,20 @@ struct Stepper::Impl {
     const Plan& plan;
     const Communicator& ranks;
     Domain domain;
-    std::variant<Substep<Frictional>, Substep<Frictionless>> substep;
+    std::variant<Substep<Frictional>, Substep<Frictionless>, Substep<RigidFrictional>, Substep<RigidFrictionless>>
+        substep;
     std::vector<WallLoad> loads;
     double last_step = 0.0;
     std::vector<double> margin;  // scratch
 
     Impl(const Scene& s, const Plan& p, const Communicator& r)
         : scene(s), plan(p), ranks(r), domain(r), substep(std::in_place_type<Substep<Frictionless>>, s, p, domain) {
-        if (p.friction) substep.emplace<Substep<Frictional>>(s, p, domain);
+        if (p.polyhedra && p.friction)
+            substep.emplace<Substep<RigidFrictional>>(s, p, domain);
+        else if (p.polyhedra)
+            substep.emplace<Substep<RigidFrictionless>>(s, p, domain);
+        else if (p.friction)
+            substep.emplace<Substep<Frictional>>(s, p, domain);
         loads.resize(s.walls.size());
     }
     void start(State& state);

@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/parallel/body_sums.hpp"
 #include "solvers/energy.hpp"
+#include "solvers/rotation.hpp"
 #include "solvers/warm_start.hpp"
 
 namespace scree::solvers {
@@ -12,17 +14,6 @@ namespace {
 constexpr std::size_t kLoadSums = 6;           // a wall: impulse and angular impulse
 constexpr std::uint64_t kContactWork = 4;      // of a contact in a step, where a body is 1
 constexpr std::uint64_t kStepsOfBalance = 64;  // between looks at how work is shared, at the most
-
-// q + half v, and the orientations, if any.
-void move(Bodies& bodies, double half) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += half * bodies.velocity[i];
-    for (std::size_t i = 0; i < bodies.orientation.size(); ++i) {
-        const Vec3 turn = half * (bodies.has_spin() ? bodies.spin[i] : Vec3::Zero());
-        const double angle = turn.norm();
-        if (angle > 0.0)
-            bodies.orientation[i] = (Quat(Eigen::AngleAxisd(angle, turn / angle)) * bodies.orientation[i]).normalized();
-    }
-}
 
 }  // namespace
 
@@ -34,6 +25,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     report.step = step;
 
     // bodies at the middle of the step, and their contacts there
+    if constexpr (kRigid) rotation_gain_.assign(state.bodies.size(), 0.0);
     move(state.bodies, 0.5 * step);
     find_contacts(state, times);
     clock.lap(Phase::detection);
@@ -53,15 +45,47 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
 
     // work on the mean velocities, then the new velocities and positions
     keep_ledger(state, times, report, loads);
+    CorrectionReport corrected;
+    if constexpr (kRigid) corrected = correct(state, step);  // where normals and arms are known
     move(state.bodies, 0.5 * step);
     clock.lap(Phase::integration);
 
     if (plan_.contact_records) make_records(state, times);
-    const CorrectionReport corrected = correction_.apply(scene_, step, active_, candidates_, domain_, state);
+    if constexpr (!kRigid) corrected = correct(state, step);
     state.ledger[Work::correction] += corrected.work;
     report.penetration = corrected.penetration;
+    if constexpr (kRigid) state.ledger[Work::rotation] += sum_over_bodies(state.bodies, rotation_gain_, domain_.ranks());
     clock.lap(Phase::correction);
     return report;
+}
+
+// Positions and, if anybody needs them, orientations, by `time` times the velocities.
+template <class Law>
+void Substep<Law>::move(Bodies& bodies, double time) {
+    if constexpr (kRigid) {
+        move_freely(bodies, time, rotation_gain_);
+        return;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies.position[i] += time * bodies.velocity[i];
+    for (std::size_t i = 0; i < bodies.orientation.size(); ++i)
+        if (bodies.has_spin()) bodies.orientation[i] = turned(bodies.orientation[i], time * bodies.spin[i]);
+}
+
+template <class Law>
+CorrectionReport Substep<Law>::correct(State& state, double step) {
+    if constexpr (kRigid)
+        return correction_.apply(scene_, step, active_, {contacts_, points_, wall_velocity_, layout_}, exchange_,
+                                 domain_, state);
+    else
+        return correction_.apply(scene_, step, active_, candidates_, domain_, state);
+}
+
+// Half-way between the surfaces, of contact c, with the bodies at the middle of the step.
+template <class Law>
+Vec3 Substep<Law>::point_of(std::size_t c, const Bodies& bodies) const {
+    if constexpr (kRigid) return points_[c];
+    const contact::Contact& contact = contacts_[c];
+    return contact.point(bodies.position[contact.a], bodies.radius[contact.a]);
 }
 
 template <class Law>
@@ -80,24 +104,27 @@ void Substep<Law>::find_contacts(State& state, const contact::StepTimes& times) 
         contact::contact_margins(scene_, state, times, margin_);
     }
     candidates_.update(scene_, state, times.step, margin_, ranks);
-    contact::find_contacts(scene_, state, times, candidates_, domain_, contacts_);
+    if constexpr (kRigid)
+        finder_.find(scene_, state, times, candidates_, domain_, contacts_, points_);
+    else
+        contact::find_contacts(scene_, state, times, candidates_, domain_, contacts_);
 }
 
 template <class Law>
 void Substep<Law>::set_up(State& state, const contact::StepTimes& times) {
-    layout_.arrange(contacts_, state.bodies, state.block_size, domain_.halo().shared_flags());
-    exchange_.set_up(domain_.ranks(), domain_.halo(), contacts_, layout_, Law::kImpulse == 3 ? 6 : 3);
+    layout_.arrange(contacts_, state.bodies, state.block_size, domain_.halo().shared_flags(), points_);
+    exchange_.set_up(domain_.ranks(), domain_.halo(), contacts_, layout_, kFrictional || kRigid ? 6 : 3);
     if (plan_.moving_walls) {
         wall_velocity_.assign(contacts_.size(), Vec3::Zero());
         for (std::size_t c = 0; c < contacts_.size(); ++c) {
             const contact::Contact& contact = contacts_[c];
             if (!contact.key.is_wall() || !scene_.walls[contact.b].motion.moves()) continue;
-            const Vec3 point = contact.point(state.bodies.position[contact.a], state.bodies.radius[contact.a]);
-            wall_velocity_[c] = mean_velocity(scene_.walls[contact.b].motion, point, times.begin, times.step);
+            wall_velocity_[c] =
+                mean_velocity(scene_.walls[contact.b].motion, point_of(c, state.bodies), times.begin, times.step);
         }
     }
     const Vec3 gravity = scene_.gravity.at(times.middle());
-    problem_.assemble(contacts_, layout_, state, times.step * gravity, wall_velocity_);
+    problem_.assemble(contacts_, layout_, state, times.step * gravity, wall_velocity_, points_);
     problem_.scale(times.step * gravity.norm());
     if (plan_.warm_start && problem_.driven()) {
         start_impulses(state, times.step);
@@ -108,7 +135,6 @@ void Substep<Law>::set_up(State& state, const contact::StepTimes& times) {
 // The last step's impulses, in impulse_ or impulse_normal_; contacts that are new get 0.
 template <class Law>
 void Substep<Law>::start_impulses(const State& state, double step) {
-    constexpr bool kFrictional = Law::kImpulse == 3;
     if (kFrictional)
         impulse_.assign(contacts_.size(), Vec3::Zero());
     else
@@ -185,9 +211,9 @@ void Substep<Law>::add_wall_loads(const State& state, std::span<ExactSum, 4> sum
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         const contact::Contact& contact = contacts_[c];
         if (!contact.key.is_wall()) continue;
-        const Vec3 p = Law::kImpulse == 3 ? impulse_[c] : Vec3(impulse_normal_[c] * contact.normal);
+        const Vec3 p = kFrictional ? impulse_[c] : Vec3(impulse_normal_[c] * contact.normal);
         if (p.isZero(0.0)) continue;
-        const Vec3 turn = contact.point(state.bodies.position[contact.a], state.bodies.radius[contact.a]).cross(p);
+        const Vec3 turn = point_of(c, state.bodies).cross(p);
         ExactSum* of_wall = load.data() + kLoadSums * contact.b;
         for (int d = 0; d < 3; ++d) {
             of_wall[d].add(p[d]);
@@ -205,7 +231,7 @@ void Substep<Law>::make_records(const State& state, const contact::StepTimes& ti
     records_.clear();
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
         const contact::Contact& contact = contacts_[c];
-        const Vec3 p = Law::kImpulse == 3 ? impulse_[c] : Vec3(impulse_normal_[c] * contact.normal);
+        const Vec3 p = kFrictional ? impulse_[c] : Vec3(impulse_normal_[c] * contact.normal);
         const double pn = p.dot(contact.normal);
         ContactStatus status = ContactStatus::open;
         if (pn > 0.0) {
@@ -213,11 +239,15 @@ void Substep<Law>::make_records(const State& state, const contact::StepTimes& ti
             status =
                 tangential < (1.0 - 1e-9) * contact.friction * pn ? ContactStatus::sticking : ContactStatus::sliding;
         }
-        // the contact point of the middle of the step: the bodies have moved on by half a step since
+        // the contact point of the middle of the step, the gap of its end
         const Bodies& bodies = state.bodies;
+        if constexpr (kRigid) {
+            records_.push_back({contact.key, points_[c], contact.normal, correction_.gaps()[c], p, times.step, status});
+            continue;
+        }
         const Vec3 moved_a = 0.5 * times.step * bodies.velocity[contact.a];
         const Vec3 middle_a = bodies.position[contact.a] - moved_a;
-        double gap = contact.gap;  // at the end of the step; at a wall to first order of the motion
+        double gap = contact.gap;  // at a wall to first order of the motion
         if (!contact.key.is_wall())
             gap = (bodies.position[contact.a] - bodies.position[contact.b]).norm() -
                   (bodies.radius[contact.a] + bodies.radius[contact.b]);
@@ -250,10 +280,13 @@ std::size_t Substep<Law>::bytes() const {
     return candidates_.bytes() + contacts_.capacity() * sizeof(contact::Contact) + layout_.bytes() + problem_.bytes() +
            correction_.bytes() + margin_.capacity() * sizeof(double) +
            (wall_velocity_.capacity() + impulse_.capacity()) * sizeof(Vec3) +
-           impulse_normal_.capacity() * sizeof(double) + records_.capacity() * sizeof(ContactRecord);
+           (impulse_normal_.capacity() + rotation_gain_.capacity()) * sizeof(double) +
+           points_.capacity() * sizeof(Vec3) + records_.capacity() * sizeof(ContactRecord);
 }
 
 template class Substep<Frictional>;
 template class Substep<Frictionless>;
+template class Substep<RigidFrictional>;
+template class Substep<RigidFrictionless>;
 
 }  // namespace scree::solvers

@@ -3,10 +3,13 @@
 
 #include <chrono>
 #include <span>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "contact/candidate_list.hpp"
 #include "contact/find_contacts.hpp"
+#include "contact/find_rigid_contacts.hpp"
 #include "core/contact_record.hpp"
 #include "core/parallel/domain.hpp"
 #include "core/plan.hpp"
@@ -14,6 +17,7 @@
 #include "solvers/gauss_seidel.hpp"
 #include "solvers/layout.hpp"
 #include "solvers/position_correction.hpp"
+#include "solvers/rigid_correction.hpp"
 #include "solvers/stepper.hpp"
 
 namespace scree::solvers {
@@ -53,6 +57,11 @@ class Substep {
     std::size_t bytes() const;
 
   private:
+    static constexpr bool kRigid = Law::kRigid, kFrictional = Law::kImpulse == 3;
+
+    void move(Bodies& bodies, double time);
+    CorrectionReport correct(State& state, double step);
+    Vec3 point_of(std::size_t c, const Bodies& bodies) const;
     void find_contacts(State& state, const contact::StepTimes& times);
     void set_up(State& state, const contact::StepTimes& times);
     void start_impulses(const State& state, double step);
@@ -67,9 +76,12 @@ class Substep {
     LineExchange exchange_;
     contact::CandidateList candidates_;
     contact::ContactSet contacts_;
+    std::vector<Vec3> points_;  // [m] of the contacts; empty where all bodies are spheres
+    std::conditional_t<kRigid, contact::RigidContactFinder, std::monostate> finder_;
     Layout layout_;
     ContactProblem<Law> problem_;
-    PositionCorrection correction_;
+    std::conditional_t<kRigid, RigidCorrection, PositionCorrection> correction_;
+    std::vector<double> rotation_gain_;     // [J] of a step, n; see rotation.hpp
     std::vector<ExactSum> sums_;            // of a step, over ranks
     std::vector<std::uint64_t> counts_;     // bodies, contacts with an impulse, those of each wall
     std::size_t active_ = 0;                // contacts of this rank with an impulse
@@ -83,5 +95,7 @@ class Substep {
 
 extern template class Substep<Frictional>;
 extern template class Substep<Frictionless>;
+extern template class Substep<RigidFrictional>;
+extern template class Substep<RigidFrictionless>;
 
 }  // namespace scree::solvers
