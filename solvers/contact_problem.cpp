@@ -250,7 +250,9 @@ void ContactProblem<Law>::impulses(std::vector<Vec3>& impulse, std::vector<doubl
 
 template <class Law>
 std::size_t ContactProblem<Law>::bytes() const {
-    return full_.bytes() + single_.bytes() + line_mean_.capacity() * sizeof(Line);
+    std::size_t single = 0;
+    if constexpr (!Law::kRigid) single = single_.bytes();
+    return full_.bytes() + single + line_mean_.capacity() * sizeof(Line);
 }
 
 template class ContactProblem<Frictional>;

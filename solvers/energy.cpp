@@ -11,8 +11,7 @@ namespace {
 
 // Twice the kinetic energy of rotation [J].
 double spin_energy_of_sphere(const Bodies& bodies, std::size_t i) {
-    return Bodies::kSphereInertia * bodies.mass[i] * bodies.radius[i] * bodies.radius[i] *
-           bodies.spin[i].squaredNorm();
+    return Bodies::kSphereInertia * bodies.mass[i] * bodies.radius[i] * bodies.radius[i] * bodies.spin[i].squaredNorm();
 }
 double spin_energy_of_shape(const Bodies& bodies, std::size_t i) {
     return angular_momentum(bodies.orientation[i], bodies.inertia[i], bodies.spin[i]).dot(bodies.spin[i]);

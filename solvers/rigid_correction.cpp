@@ -126,8 +126,8 @@ CorrectionReport RigidCorrection::apply(const Scene& scene, double step, std::si
     moved_ = ranks.max(deepest) > NearContacts::least_push(state.step) && scene.correction.on;
     if (moved_) {
         assemble(of_step, bodies, scene.correction.share);
-        report.sweeps = sweep_until_settled(sweeps_, of_step.layout, exchange, settled, 1.0, scene.correction.sweeps,
-                                            ranks);
+        report.sweeps =
+            sweep_until_settled(sweeps_, of_step.layout, exchange, settled, 1.0, scene.correction.sweeps, ranks);
         exchange.spread(sweeps_.line.data());
         report.work = displace(of_step.layout, scene.gravity.at(state.time + step), ranks, bodies);
     }

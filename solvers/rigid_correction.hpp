@@ -45,9 +45,9 @@ class RigidCorrection {
     Penetration measure(const StepContacts& of_step, const State& state, const Communicator& ranks,
                         std::size_t closed) const;
 
-    std::vector<double> gap_;                     // [m] at the end of the step, one a contact
-    Sweeps<RigidFrictionless, double> sweeps_;    // lines are displacements [m] and turns [rad]
-    bool moved_ = false;                          // the lines are those of this step
+    std::vector<double> gap_;                   // [m] at the end of the step, one a contact
+    Sweeps<RigidFrictionless, double> sweeps_;  // lines are displacements [m] and turns [rad]
+    bool moved_ = false;                        // the lines are those of this step
 };
 
 }  // namespace scree::solvers

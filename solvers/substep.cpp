@@ -54,7 +54,8 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     if constexpr (!kRigid) corrected = correct(state, step);
     state.ledger[Work::correction] += corrected.work;
     report.penetration = corrected.penetration;
-    if constexpr (kRigid) state.ledger[Work::rotation] += sum_over_bodies(state.bodies, rotation_gain_, domain_.ranks());
+    if constexpr (kRigid)
+        state.ledger[Work::rotation] += sum_over_bodies(state.bodies, rotation_gain_, domain_.ranks());
     clock.lap(Phase::correction);
     return report;
 }

@@ -28,7 +28,7 @@ struct Run {
 
     Run(const SmallScene& w, const Communicator& ranks) : scene(w.scene), state(w.state) {
         plan = make_plan(scene, w.state.bodies);
-        if (plan.friction) state.bodies.spin = w.given_spins;
+        if (plan.spin) state.bodies.spin = w.given_spins;
         if (!ranks.alone()) state.bodies = share(state.bodies, 0, Ghosts::none);
         state.inlets.resize(scene.inlets.size());
         state.outlets.resize(scene.outlets.size());

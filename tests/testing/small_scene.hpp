@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/make_shape.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 
@@ -38,7 +39,22 @@ struct SmallScene {
         b.position.push_back(position);
         b.velocity.push_back(velocity);
         given_spins.push_back(spin);
+        if (!state.shapes.empty()) know_shapes();
         return b.size() - 1;
+    }
+    // A polyhedron in a frame of its own, turned about the origin and moved: one shape a call.
+    std::size_t add(const Polyhedron& polyhedron, const Vec3& position, const Quat& turn = Quat::Identity(),
+                    const Vec3& velocity = Vec3::Zero(), const Vec3& spin = Vec3::Zero()) {
+        const PlacedShape placed = make_shape(polyhedron);
+        const double density = scene.materials[0].density;
+        state.shapes.push_back(placed.shape);
+        const std::size_t i =
+            add(position + turn * placed.centre, placed.shape.radius, velocity, spin, density * placed.shape.volume);
+        Bodies& b = state.bodies;
+        b.shape[i] = ShapeIndex{static_cast<std::uint32_t>(state.shapes.size() - 1)};
+        b.orientation[i] = (turn * placed.rotation).normalized();
+        b.inertia[i] = density * placed.shape.inertia;
+        return i;
     }
     std::size_t add_wall(const WallShape& shape, const WallMotion& motion = {}) {
         scene.walls.push_back({"wall" + std::to_string(scene.walls.size()), MaterialIndex{0}, shape, motion});
@@ -63,7 +79,18 @@ struct SmallScene {
         return v;
     }
 
-    std::vector<Vec3> given_spins;  // used by scenes with friction
+    std::vector<Vec3> given_spins;  // used by scenes with friction or polyhedra
+
+  private:
+    // The arrays that scenes of spheres do not have, as long as the others.
+    void know_shapes() {
+        Bodies& b = state.bodies;
+        for (std::size_t i = b.shape.size(); i < b.size(); ++i) {
+            b.shape.push_back(kSphere);
+            b.orientation.push_back(Quat::Identity());
+            b.inertia.push_back(Vec3::Constant(Bodies::kSphereInertia * b.mass[i] * b.radius[i] * b.radius[i]));
+        }
+    }
 };
 
 }  // namespace scree::testing

@@ -21,7 +21,7 @@ struct World : SmallScene {
     // After the scene is complete.
     void start() {
         plan = make_plan(scene, state.bodies);
-        if (plan.friction) state.bodies.spin = given_spins;
+        if (plan.spin) state.bodies.spin = given_spins;
         state.inlets.resize(scene.inlets.size());
         state.outlets.resize(scene.outlets.size());
         state.measures.resize(scene.measures.size());
