@@ -59,7 +59,7 @@ Mat3 inverse_inertia(const Quat& orientation, const Vec3& inertia) {
     return r * inertia.cwiseInverse().asDiagonal() * r.transpose();
 }
 
-void move_freely(Bodies& bodies, double time, std::vector<double>& gain) {
+void move_freely(Bodies& bodies, double time, ExactSum& gain) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies.position[i] += time * bodies.velocity[i];
         Vec3& spin = bodies.spin[i];
@@ -69,7 +69,7 @@ void move_freely(Bodies& bodies, double time, std::vector<double>& gain) {
         bodies.orientation[i] = rotated_freely(bodies.orientation[i], inertia, momentum, time);
         if (is_sphere(inertia)) continue;
         const Vec3 after = spin_of(bodies.orientation[i], inertia, momentum);
-        gain[i] += 0.5 * momentum.dot(after - spin);
+        if (!bodies.is_ghost(i)) gain.add(0.5 * momentum.dot(after - spin));
         spin = after;
     }
 }

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/bodies.hpp"
+#include "core/exact_sum.hpp"
 #include "core/vec.hpp"
 
 namespace scree::solvers {
@@ -31,7 +32,7 @@ Mat3 inverse_inertia(const Quat& orientation, const Vec3& inertia);
 Quat turned(const Quat& orientation, const Vec3& turn);
 
 // Positions by `time` times the velocities; orientations and spins as above, each body by itself.
-// `gain` [J], one a body: adds the change of the kinetic energy of rotation.
-void move_freely(Bodies& bodies, double time, std::vector<double>& gain);
+// `gain` [J]: adds the change of the kinetic energy of rotation of own bodies.
+void move_freely(Bodies& bodies, double time, ExactSum& gain);
 
 }  // namespace scree::solvers

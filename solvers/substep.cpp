@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/parallel/body_sums.hpp"
 #include "solvers/energy.hpp"
 #include "solvers/rotation.hpp"
 #include "solvers/warm_start.hpp"
@@ -25,7 +24,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     report.step = step;
 
     // bodies at the middle of the step, and their contacts there
-    if constexpr (kRigid) rotation_gain_.assign(state.bodies.size(), 0.0);
+    rotation_gain_ = ExactSum{};
     move(state.bodies, 0.5 * step);
     find_contacts(state, times);
     clock.lap(Phase::detection);
@@ -54,8 +53,7 @@ StepReport Substep<Law>::advance(State& state, double step, std::vector<WallLoad
     if constexpr (!kRigid) corrected = correct(state, step);
     state.ledger[Work::correction] += corrected.work;
     report.penetration = corrected.penetration;
-    if constexpr (kRigid)
-        state.ledger[Work::rotation] += sum_over_bodies(state.bodies, rotation_gain_, domain_.ranks());
+    if constexpr (kRigid) state.ledger[Work::rotation] += domain_.ranks().sum(rotation_gain_);
     clock.lap(Phase::correction);
     return report;
 }
@@ -281,8 +279,8 @@ std::size_t Substep<Law>::bytes() const {
     return candidates_.bytes() + contacts_.capacity() * sizeof(contact::Contact) + layout_.bytes() + problem_.bytes() +
            correction_.bytes() + margin_.capacity() * sizeof(double) +
            (wall_velocity_.capacity() + impulse_.capacity()) * sizeof(Vec3) +
-           (impulse_normal_.capacity() + rotation_gain_.capacity()) * sizeof(double) +
-           points_.capacity() * sizeof(Vec3) + records_.capacity() * sizeof(ContactRecord);
+           impulse_normal_.capacity() * sizeof(double) + points_.capacity() * sizeof(Vec3) +
+           records_.capacity() * sizeof(ContactRecord);
 }
 
 template class Substep<Frictional>;

@@ -81,7 +81,7 @@ class Substep {
     Layout layout_;
     ContactProblem<Law> problem_;
     std::conditional_t<kRigid, RigidCorrection, PositionCorrection> correction_;
-    std::vector<double> rotation_gain_;     // [J] of a step, n; see rotation.hpp
+    ExactSum rotation_gain_;                // [J] of a step; see rotation.hpp
     std::vector<ExactSum> sums_;            // of a step, over ranks
     std::vector<std::uint64_t> counts_;     // bodies, contacts with an impulse, those of each wall
     std::size_t active_ = 0;                // contacts of this rank with an impulse

@@ -14,7 +14,6 @@
 
 #include "core/bodies.hpp"
 #include "core/exact_sum.hpp"
-#include "core/parallel/communicator.hpp"
 
 namespace scree {
 
@@ -44,13 +43,6 @@ void add_over_bodies(const Bodies& bodies, std::span<ExactSum, K> sums, const Te
         }
         flush();
     }
-}
-
-// One number a body.
-inline double sum_over_bodies(const Bodies& bodies, const std::vector<double>& value, const Communicator& ranks) {
-    ExactSum sum;
-    add_over_bodies(bodies, std::span<ExactSum, 1>(&sum, 1), [&](std::size_t i) { return std::array{value[i]}; });
-    return ranks.sum(sum);
 }
 
 }  // namespace scree

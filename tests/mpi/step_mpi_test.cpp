@@ -11,6 +11,7 @@
 #include "solvers/energy.hpp"
 #include "solvers/stepper.hpp"
 #include "tests/mpi/dealt.hpp"
+#include "tests/testing/solids.hpp"
 
 namespace scree {
 namespace {
@@ -42,8 +43,27 @@ double uniform(std::mt19937_64& draw, double low, double high) {
     return low + (high - low) * static_cast<double>(draw() >> 11) * 0x1p-53;
 }
 
-// A loose heap in a box that is shaken; sizes from 1:1 to 1:20, blocks from half a box to a few small bodies.
-SmallScene random_scene(unsigned seed) {
+enum class Shapes { spheres, mixed };
+
+// A box, a wedge or a tetrahedron about the origin within a ball of radius `r`.
+Polyhedron some_polyhedron(std::mt19937_64& draw, double r) {
+    const Vec3 sides(uniform(draw, 0.2, 1.0), uniform(draw, 0.4, 1.0), uniform(draw, 0.4, 1.0));
+    Polyhedron body = testing::box(2.0 * r / sides.norm() * sides);
+    const double kind = uniform(draw, 0.0, 3.0);
+    if (kind < 1.0) return body;
+    if (kind < 2.0) {  // a wedge: two corners of the top go
+        body.vertex = {body.vertex[0], body.vertex[1], body.vertex[2], body.vertex[3], body.vertex[4], body.vertex[6]};
+        body.face = {{0, 4, 5, 2}, {0, 1, 4}, {2, 5, 3}, {0, 2, 3, 1}, {1, 3, 5, 4}};
+        return body;
+    }
+    body.vertex = {body.vertex[0], body.vertex[3], body.vertex[5], body.vertex[6]};
+    body.face = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    return body;
+}
+
+// A loose heap in a box that is shaken; sizes from 1:1 to 1:20, blocks from half a box to a few small bodies. Mixed:
+// two of three bodies are polyhedra.
+SmallScene random_scene(unsigned seed, Shapes shapes = Shapes::spheres) {
     std::mt19937_64 draw(seed);
     SmallScene w(uniform(draw, 2e-4, 2e-3), seed % 3 == 0 ? 0.0 : uniform(draw, 0.1, 1.0), uniform(draw, 0.0, 0.9));
     w.scene.solver = SolverSettings{};
@@ -59,7 +79,12 @@ SmallScene random_scene(unsigned seed) {
         const double r = large ? 0.5 * small * ratio : small * uniform(draw, 0.7, 1.3);
         const Vec3 x(uniform(draw, -side, side), uniform(draw, -side, side), uniform(draw, 0.0, 2 * side));
         const Vec3 v(uniform(draw, -3, 3), uniform(draw, -3, 3), uniform(draw, -3, 3));
-        w.add(x, r, v, 10.0 * v);
+        if (shapes == Shapes::spheres || i % 3 == 0) {
+            w.add(x, r, v, 10.0 * v);
+            continue;
+        }
+        const Quat turn(uniform(draw, -1, 1), uniform(draw, -1, 1), uniform(draw, -1, 1), uniform(draw, -1, 1));
+        w.add(some_polyhedron(draw, r), x, turn.normalized(), v, 10.0 * v);
     }
     WallMotion motion;
     if (seed % 3 == 1) {
@@ -117,6 +142,15 @@ TEST(StepOnRanks, RandomScenesHaveTheSameBits) {
     for (unsigned seed = 0; seed < scenes; ++seed) {
         std::uint64_t left = 0;
         same_steps(random_scene(seed), 25, seed, left);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(StepOnRanks, RandomScenesOfPolyhedraHaveTheSameBits) {
+    const unsigned scenes = world().size() <= 3 ? 100 : 20;
+    for (unsigned seed = 0; seed < scenes; ++seed) {
+        std::uint64_t left = 0;
+        same_steps(random_scene(seed, Shapes::mixed), 25, seed, left);
         if (HasFatalFailure()) return;
     }
 }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 namespace scree::solvers {
 namespace {
@@ -22,11 +21,11 @@ void run(const Vec3& inertia, const Vec3& spin, double h, int steps, const Look&
     bodies.orientation = {Quat::Identity()};
     bodies.shape = {ShapeIndex{0}};
     bodies.inertia = {inertia};
-    std::vector<double> gain(1, 0.0);
+    ExactSum gain;
     for (int k = 1; k <= steps; ++k) {
         move_freely(bodies, 0.5 * h, gain);
         move_freely(bodies, 0.5 * h, gain);
-        look(k, bodies, gain[0]);
+        look(k, bodies, gain.value());
     }
 }
 
