@@ -83,6 +83,13 @@ inline std::uint32_t mask_less_equal(const Pack& a, const Pack& b) {
     for (int i = 0; i < Pack::kNatives; ++i) bits |= detail::mask_less_equal(a.v[i], b.v[i]) << (i * Pack::kWidth);
     return bits;
 }
+// Whether a < b in some lane: to leave out work that no lane needs, never to choose a lane's result.
+template <class Real>
+inline bool any_less(const PackOf<Real>& a, const PackOf<Real>& b) {
+    for (int i = 0; i < PackOf<Real>::kNatives; ++i)
+        if (detail::any_less(a.v[i], b.v[i])) return true;
+    return false;
+}
 // Sums of eight numbers and maxima over the lanes, in a fixed order.
 inline double sum_of_eight(const auto* x) {
     const auto at = [x](int i) { return static_cast<double>(x[i]); };

@@ -56,6 +56,9 @@ inline __m512d load_anywhere(const double* p) {
 inline std::uint32_t mask_less_equal(__m512d a, __m512d b) {
     return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ);
 }
+inline bool any_less(__m512d a, __m512d b) {
+    return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ) != 0;
+}
 #elif defined(__AVX__)
 template <>
 struct Native<double> {
@@ -88,6 +91,9 @@ inline __m256d load_anywhere(const double* p) {
 }
 inline std::uint32_t mask_less_equal(__m256d a, __m256d b) {
     return static_cast<std::uint32_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LE_OQ)));
+}
+inline bool any_less(__m256d a, __m256d b) {
+    return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)) != 0;
 }
 #elif defined(__SSE2__)
 template <>
@@ -123,6 +129,9 @@ inline __m128d load_anywhere(const double* p) {
 inline std::uint32_t mask_less_equal(__m128d a, __m128d b) {
     return static_cast<std::uint32_t>(_mm_movemask_pd(_mm_cmple_pd(a, b)));
 }
+inline bool any_less(__m128d a, __m128d b) {
+    return _mm_movemask_pd(_mm_cmplt_pd(a, b)) != 0;
+}
 #endif
 
 #if defined(__AVX512F__)
@@ -152,6 +161,9 @@ inline __m512 smaller(__m512 a, __m512 b) {
 inline __m512 where_less(__m512 a, __m512 b, __m512 yes, __m512 no) {
     return _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_LT_OQ), no, yes);
 }
+inline bool any_less(__m512 a, __m512 b) {
+    return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ) != 0;
+}
 #elif defined(__AVX__)
 template <>
 struct Native<float> {
@@ -178,6 +190,9 @@ inline __m256 smaller(__m256 a, __m256 b) {
 }
 inline __m256 where_less(__m256 a, __m256 b, __m256 yes, __m256 no) {
     return _mm256_blendv_ps(no, yes, _mm256_cmp_ps(a, b, _CMP_LT_OQ));
+}
+inline bool any_less(__m256 a, __m256 b) {
+    return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)) != 0;
 }
 #elif defined(__SSE2__)
 template <>
@@ -206,6 +221,9 @@ inline __m128 smaller(__m128 a, __m128 b) {
 inline __m128 where_less(__m128 a, __m128 b, __m128 yes, __m128 no) {
     const __m128 mask = _mm_cmplt_ps(a, b);
     return _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no));
+}
+inline bool any_less(__m128 a, __m128 b) {
+    return _mm_movemask_ps(_mm_cmplt_ps(a, b)) != 0;
 }
 #else
 template <class Real>
@@ -248,6 +266,10 @@ Real load_anywhere(const Real* p) {
 template <class Real>
 std::uint32_t mask_less_equal(Real a, Real b) {
     return a <= b ? 1 : 0;
+}
+template <class Real>
+bool any_less(Real a, Real b) {
+    return a < b;
 }
 #endif
 

@@ -39,7 +39,8 @@ struct Frictional {
     using LineOf = SpinningLineOf<Real>;
     template <class Real>
     using BatchOf = FrictionBatchOf<Real>;
-    static constexpr int kImpulse = 3;  // numbers an impulse
+    static constexpr int kImpulse = 3;     // numbers an impulse
+    static constexpr bool kRigid = false;  // bodies of any shape (rigid_batch.hpp)
 };
 struct Frictionless {
     template <class Real>
@@ -47,6 +48,7 @@ struct Frictionless {
     template <class Real>
     using BatchOf = FrictionlessBatchOf<Real>;
     static constexpr int kImpulse = 1;
+    static constexpr bool kRigid = false;
 };
 
 // A run of batches whose contacts lie in one block of space; blocks of one colour share no moving body.

@@ -12,26 +12,12 @@
 
 #include "core/simd_rows.hpp"
 #include "solvers/batch.hpp"
+#include "solvers/packs.hpp"
 
 namespace scree::solvers {
 
 inline constexpr double kTangentRatio = 2.0 / 7.0;  // W_N / W_T of solid spheres
 inline constexpr double kTraceRatio = 3.0 / 8.0;    // rho = 3 / tr W over 1 / W_N: tr W = (1 + 2 * 7/2) W_N
-inline constexpr double kSingleRound = 1e-6;        // more than single precision makes of an impulse, relative
-// Keeps 0/0 away: no square of a scene is that small, nor one in the units of single precision.
-template <class Real>
-inline constexpr Real kTiny = std::is_same_v<Real, float> ? Real(1e-36) : Real(1e-300);
-
-template <class Real>
-Pack3Of<Real> load3(const Real (&x)[3][PackOf<Real>::kLanes]) {
-    return {PackOf<Real>::load(x[0]), PackOf<Real>::load(x[1]), PackOf<Real>::load(x[2])};
-}
-template <class Real>
-void store3(Real (&x)[3][PackOf<Real>::kLanes], const Pack3Of<Real>& a) {
-    a.x.store(x[0]);
-    a.y.store(x[1]);
-    a.z.store(x[2]);
-}
 
 // Velocities of the two bodies of each lane.
 template <class Real>
@@ -211,10 +197,7 @@ PackOf<Real> natural_map(const FrictionlessBatchOf<Real>& batch, const SlidingLi
     return f * f;
 }
 
-// Work of the impulses on the mean of the velocities before and after [J], normal and tangential.
-struct WorkPacks {
-    Pack normal, tangential;
-};
+// Work of the impulses on the mean of the velocities before and after [J].
 inline WorkPacks work(const FrictionBatch& batch, const SpinningLine* mean) {
     const SpinningPair<double> pair(batch, mean);
     const Pack3 n = load3(batch.n), p = load3(batch.p);

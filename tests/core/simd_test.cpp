@@ -47,6 +47,24 @@ TEST(Simd, ArithmeticIsThatOfDoubles) {
     expect_same([](Pack a, Pack b) { return where_less(a, a, b, a); }, [](double a, double) { return a; });
 }
 
+template <class Real>
+void expect_any_less_sees_every_lane() {
+    using Numbers = PackOf<Real>;
+    alignas(64) Real x[Numbers::kLanes] = {};
+    EXPECT_FALSE(any_less(Numbers::load(x), Numbers::all(0)));
+    for (Real& one : x) {
+        one = Real(-1);
+        EXPECT_TRUE(any_less(Numbers::load(x), Numbers::all(0)));
+        one = std::numeric_limits<Real>::quiet_NaN();
+        EXPECT_FALSE(any_less(Numbers::load(x), Numbers::all(0)));
+        one = 0;
+    }
+}
+TEST(Simd, AnyLessSeesEveryLane) {
+    expect_any_less_sees_every_lane<double>();
+    expect_any_less_sees_every_lane<float>();
+}
+
 TEST(Simd, SumAndMaximumOverTheLanes) {
     Random random(2, 1, 0);
     for (int round = 0; round < 100; ++round) {

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/state_hash.hpp"
+#include "solvers/rigid_kernels.hpp"
 #include "solvers/substep.hpp"
 #include "tests/testing/count_allocations.hpp"
+#include "tests/testing/rigid_contacts.hpp"
 #include "tests/testing/world.hpp"
 
 namespace scree::solvers {
@@ -84,6 +86,22 @@ TEST(PlanCosts, AStepInSteadyStateAllocatesNothing) {
         w.run(50);
         EXPECT_EQ(testing::allocations - before, 0U) << "mu " << mu;
     }
+}
+
+// The kernels of bodies of any shape, among them needles, whose slips need many iterations.
+TEST(PlanCosts, RigidKernelsAllocateNothing) {
+    testing::RigidContacts c(1, testing::Shape::needle, 0.5);
+    const Pack zero = Pack::all(0.0);
+    const std::size_t before = testing::allocations;
+    double sum = 0.0;
+    for (int k = 0; k < 10; ++k) {
+        sum += sum_lanes(update<false>(c.friction, c.line.data(), nullptr, zero));
+        sum += sum_lanes(update<false>(c.frictionless, c.line.data(), nullptr, zero));
+        sum += sum_lanes(natural_map(c.friction, c.line.data()) + natural_map(c.frictionless, c.line.data()));
+        set_lane(c.friction, k % kLanes, c.data[0], c.line[1], c.line[2]);
+    }
+    EXPECT_EQ(testing::allocations, before);
+    EXPECT_GT(sum, 0.0);
 }
 
 }  // namespace
