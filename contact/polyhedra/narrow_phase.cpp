@@ -1,8 +1,10 @@
 #include "contact/polyhedra/narrow_phase.hpp"
 
 #include "contact/polyhedra/polyhedron_polyhedron.hpp"
+#include "contact/polyhedra/polyhedron_triangle.hpp"
 #include "contact/polyhedra/sphere_polyhedron.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "core/terrain.hpp"
 
 namespace scree::contact {
 
@@ -56,9 +58,10 @@ std::span<const ManifoldPoint> NarrowPhase::pair(std::size_t i, std::size_t j, d
     return manifold_.points();
 }
 
-void NarrowPhase::sphere_on_wall(const WallShape& shape, const WallFrame& frame, std::size_t i, double margin) {
+// A ball about the centre of body i.
+void NarrowPhase::ball_on_wall(const WallShape& shape, const WallFrame& frame, std::size_t i, double radius,
+                               double margin) {
     const Vec3& x = placed_[i].position;
-    const double radius = state_->bodies.radius[i];
     WallContacts found;
     find_contacts(shape, frame.moves ? frame.pose.to_local(x) : x, radius, margin, found);
     for (int k = 0; k < found.count; ++k) {
@@ -66,6 +69,36 @@ void NarrowPhase::sphere_on_wall(const WallShape& shape, const WallFrame& frame,
         const Vec3 normal = frame.moves ? Vec3(frame.pose.rotation * c.normal) : c.normal;
         wall_points_.push_back({x - (radius + 0.5 * c.gap) * normal, normal, c.gap, c.feature, 0});
     }
+}
+
+void NarrowPhase::add_points(const Manifold& manifold, const WallFrame& frame, std::uint32_t part) {
+    for (const ManifoldPoint& p : manifold.points()) {
+        if (frame.moves)
+            wall_points_.push_back({frame.pose.to_world(p.point), frame.pose.rotation * p.normal, p.gap, p.key, part});
+        else
+            wall_points_.push_back({p.point, p.normal, p.gap, p.key, part});
+    }
+}
+
+// Terrain does not move.
+void NarrowPhase::polyhedron_on_terrain(const WallShape& shape, const WallFrame& frame, std::size_t i, double margin) {
+    const Terrain& terrain = *std::get<TerrainWall>(shape).terrain;
+    const Placed& body = placed_[i];
+    Vec3 low = body.vertex[0], high = low;
+    for (const Vec3& v : body.vertex) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+    }
+    const Vec3 room = Vec3::Constant(margin);
+    // a triangle above a body that has sunk in must be found too
+    const Vec3 deep(0.0, 0.0, terrain_depth(body.shape->radius));
+    terrain.visit(body.position + low - room, body.position + high + room + deep, [&](std::uint32_t t) {
+        if (polyhedron_triangle(body, terrain.mesh, t, terrain_depth(body.shape->radius), margin, scratch_, manifold_))
+            add_points(manifold_, frame, t);
+    });
+    // farther in than triangles look, or beyond the border: never silence
+    if (wall_points_.empty() && (terrain.under(body.position) || terrain.outside(body.position)))
+        ball_on_wall(shape, frame, i, body.shape->inner_radius, margin);
 }
 
 Placed NarrowPhase::in_frame(const WallFrame& frame, std::size_t i) {
@@ -80,20 +113,13 @@ std::span<const WallPoint> NarrowPhase::wall(const WallShape& shape, const WallF
                                              double margin) {
     wall_points_.clear();
     if (is_sphere(i)) {
-        sphere_on_wall(shape, frame, i, margin);
-        return wall_points_;
+        ball_on_wall(shape, frame, i, state_->bodies.radius[i], margin);
+    } else if (std::holds_alternative<TerrainWall>(shape)) {
+        polyhedron_on_terrain(shape, frame, i, margin);
+    } else {
+        polyhedron_wall(shape, in_frame(frame, i), margin, places_);
+        for (const Manifold& place : places_.places()) add_points(place, frame, 0);
     }
-    const auto add = [&](const Manifold& manifold, std::uint32_t part) {
-        for (const ManifoldPoint& p : manifold.points()) {
-            if (frame.moves)
-                wall_points_.push_back(
-                    {frame.pose.to_world(p.point), frame.pose.rotation * p.normal, p.gap, p.key, part});
-            else
-                wall_points_.push_back({p.point, p.normal, p.gap, p.key, part});
-        }
-    };
-    polyhedron_wall(shape, in_frame(frame, i), margin, places_);
-    for (const Manifold& place : places_.places()) add(place, 0);
     return wall_points_;
 }
 

@@ -41,7 +41,9 @@ class NarrowPhase {
 
   private:
     bool is_sphere(std::size_t i) const { return placed_[i].shape == nullptr; }
-    void sphere_on_wall(const WallShape& shape, const WallFrame& frame, std::size_t i, double margin);
+    void ball_on_wall(const WallShape& shape, const WallFrame& frame, std::size_t i, double radius, double margin);
+    void add_points(const Manifold& manifold, const WallFrame& frame, std::uint32_t part);
+    void polyhedron_on_terrain(const WallShape& shape, const WallFrame& frame, std::size_t i, double margin);
     Placed in_frame(const WallFrame& frame, std::size_t i);
 
     const State* state_ = nullptr;
