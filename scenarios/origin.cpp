@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/named_shapes.hpp"
+
 namespace scree::scenarios {
 namespace {
 
@@ -51,10 +53,27 @@ void add_lattice(Box& box, const Node& node) {
     box.add(corner + cells.cwiseProduct(pitch), 0.5 * pitch.maxCoeff());
 }
 
-void add_bodies(Box& box, const Node& node) {
+// The largest ball about its origin that an instance of a shape may need; 0 if it was found faulty.
+double reach_of(const Node& node, const std::vector<NamedShape>& shapes) {
+    double reach = 0.0;
+    for (const NamedShape& named : shapes) {
+        if (named.name != node.text("shape")) continue;
+        for (const PlacedShape& placed : named.variants) {
+            const double factor = node.has("diameter") ? node.number("diameter") / equivalent_diameter(placed.shape)
+                                                       : node.number("scale");
+            const double to_centre = node.text("placed_by") == "origin" ? placed.centre.norm() : 0.0;
+            reach = std::max(reach, factor * (placed.shape.radius + to_centre));
+        }
+    }
+    return reach;
+}
+
+void add_bodies(Box& box, const Node& node, const std::vector<NamedShape>& shapes) {
     const std::string& generator = node.text("generator");
     if (generator == "sphere") {
         box.add(node.vector("position"), node.has("radius") ? node.number("radius") : 0.5 * node.number("diameter"));
+    } else if (generator == "polyhedron") {
+        box.add(node.vector("position"), reach_of(node, shapes));
     } else if (generator == "lattice") {
         add_lattice(box, node);
     } else if (generator == "random") {
@@ -82,9 +101,9 @@ void add_wall(Box& box, const Node& node) {
 
 }  // namespace
 
-Vec3 choose_origin(const Node& scenario, const std::vector<BodyFile>& files) {
+Vec3 choose_origin(const Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files) {
     Box box;
-    for (const Node& node : items_of(scenario, "bodies")) add_bodies(box, node);
+    for (const Node& node : items_of(scenario, "bodies")) add_bodies(box, node, shapes);
     for (const Node& node : items_of(scenario, "inlets")) add_region(box, node.at("region"));
     for (const Node& node : items_of(scenario, "walls")) add_wall(box, node);
     for (const BodyFile& file : files) {

@@ -11,6 +11,6 @@
 namespace scree::scenarios {
 
 // `files`: the bodies of each `generator: file`.
-Vec3 choose_origin(const io::Node& scenario, const std::vector<BodyFile>& files);
+Vec3 choose_origin(const io::Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files);
 
 }  // namespace scree::scenarios

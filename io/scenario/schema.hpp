@@ -35,6 +35,7 @@ enum class Kind {
     choice,            // [string] one of `choices`
     choices,           // [list of strings] each one of `choices`
     integers,          // [list of int64]
+    numbers,           // [list of double, SI]
     table,             // [list of lists of double] rows with `columns`
 };
 
@@ -91,7 +92,7 @@ struct Row {
 
 // What several keys of one section must satisfy together.
 struct Rule {
-    enum class Kind { exactly_one, at_most_one, ascending } kind;
+    enum class Kind { exactly_one, at_most_one, at_least_one, ascending } kind;
     std::string where;  // the section's path; "": the whole scenario
     std::vector<std::string> keys;
 };

@@ -78,6 +78,8 @@ Json value(const Row& row) {
             return list_of({{"enum", row.choices}}, 0);
         case Kind::integers:
             return list_of(bounded({{"type", "integer"}}, row.range), row.length);
+        case Kind::numbers:
+            return list_of(number, row.length);
         case Kind::table:
             return table(row);
         default:
@@ -92,7 +94,8 @@ void add_rules(Json& schema, const std::vector<const Rule*>& rules) {
             schema["not"] = {{"required", rule->keys}};
             continue;
         }
-        for (const std::string& key : rule->keys) schema["oneOf"].push_back(Json{{"required", Json::array({key})}});
+        const char* const some = rule->kind == Rule::Kind::exactly_one ? "oneOf" : "anyOf";
+        for (const std::string& key : rule->keys) schema[some].push_back(Json{{"required", Json::array({key})}});
     }
 }
 

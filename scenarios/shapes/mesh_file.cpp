@@ -28,7 +28,15 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 constexpr std::array<std::pair<const char*, Polyhedron (*)(const MeshBytes&)>, 4> kFormats = {
     {{".off", read_off}, {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}}};
 
-Polyhedron read_file(const std::string& path) {
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw IoError(fmt::format("{}: cannot be opened for reading", path));
+    std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (file.bad() || std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
+    return bytes;
+}
+
+auto format_of(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const auto format =
@@ -38,11 +46,7 @@ Polyhedron read_file(const std::string& path) {
             fmt::format("{}: what kind of mesh it is cannot be told; a name that ends in .off, .obj, .stl or .ply "
                         "is expected",
                         path));
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw IoError(fmt::format("{}: cannot be opened for reading", path));
-    MeshBytes bytes{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
-    if (file.bad() || std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
-    return format->second(bytes);
+    return format->second;
 }
 
 // Vertices at the very same place become one: STL repeats them for each triangle, OBJ where normals differ.
@@ -98,7 +102,12 @@ PlacedShape convex_body(const Polyhedron& body) {
 }  // namespace
 
 PlacedShape read_mesh(const std::string& path, const MeshOptions& options) {
-    Polyhedron body = read_file(path);
+    format_of(path);  // before the file is opened
+    return read_mesh_bytes(path, bytes_of(path), options);
+}
+
+PlacedShape read_mesh_bytes(const std::string& path, const std::string& bytes, const MeshOptions& options) {
+    Polyhedron body = format_of(path)({path, bytes});
     for (Vec3& x : body.vertex) x *= options.scale;
     join_equal_vertices(body);
     try {
