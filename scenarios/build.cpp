@@ -91,6 +91,14 @@ BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, 
             generate_polyhedron(node, stream, context, sharing, bodies);
         } else if (generator == "lattice") {
             generate_lattice(node, stream, context, sharing, bodies);
+        } else if (generator == "voronoi") {
+            generate_voronoi(node, stream, context, sharing, bodies);
+        } else if (generator == "rock_mass") {
+            generate_rock_mass(node, stream, context, sharing, bodies);
+        } else if (generator == "wall_of_blocks") {
+            generate_wall_of_blocks(node, context, sharing, bodies);
+        } else if (generator == "arch") {
+            generate_arch(node, context, sharing, bodies);
         } else if (generator == "random") {
             generate_random(node, stream, context, scene, bodies);
         } else {

@@ -83,6 +83,13 @@ void generate_polyhedron(const io::Node& node, std::uint64_t stream, const Conte
                          BodyList& bodies);
 void generate_lattice(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
                       BodyList& bodies);
+// Blocks that fill a part of space, and masonry. Every rank makes all shapes.
+void generate_voronoi(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
+                      BodyList& bodies);
+void generate_rock_mass(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
+                        BodyList& bodies);
+void generate_wall_of_blocks(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
+void generate_arch(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
 // Keeps clear of the bodies already in the list and of the walls that are there at time 0. Each place depends on all
 // that were taken before, so the list must be whole, and all bodies are made: on many ranks each does all the work and
 // holds the bodies of the whole region for a while.

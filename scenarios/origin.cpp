@@ -68,6 +68,22 @@ double reach_of(const Node& node, const std::vector<NamedShape>& shapes) {
     return reach;
 }
 
+// Masonry: generously around it.
+void add_wall_of_blocks(Box& box, const Node& node) {
+    const Vec3 size = node.vector("size") + Vec3::Constant(node.number("gap"));
+    const Vec3 whole(size.x() * node.number("columns"), size.y(), size.z() * node.number("rows"));
+    const Vec3 along = node.vector("direction").stableNormalized(), up = node.vector("up").stableNormalized();
+    box.add(node.vector("corner"), whole.y());
+    box.add(node.vector("corner") + whole.x() * along + whole.z() * up, whole.y());
+}
+
+// Blocks that fill a region, or the hull of points.
+void add_filled(Box& box, const Node& node) {
+    if (node.has("region")) return add_region(box, node.at("region"));
+    for (const Node& row : node.at("points").items())
+        box.add(Vec3(row.at(0).number(), row.at(1).number(), row.at(2).number()));
+}
+
 void add_bodies(Box& box, const Node& node, const std::vector<NamedShape>& shapes) {
     const std::string& generator = node.text("generator");
     if (generator == "sphere") {
@@ -76,6 +92,12 @@ void add_bodies(Box& box, const Node& node, const std::vector<NamedShape>& shape
         box.add(node.vector("position"), reach_of(node, shapes));
     } else if (generator == "lattice") {
         add_lattice(box, node);
+    } else if (generator == "voronoi" || generator == "rock_mass") {
+        add_filled(box, node);
+    } else if (generator == "wall_of_blocks") {
+        add_wall_of_blocks(box, node);
+    } else if (generator == "arch") {
+        box.add(node.vector("centre"), node.number("radius") + node.number("thickness") + node.number("depth"));
     } else if (generator == "random") {
         add_region(box, node.at("region"));
     }

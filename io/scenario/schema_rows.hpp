@@ -41,6 +41,7 @@ std::vector<Row> run();        // what is not below: version, time, gravity, sol
 std::vector<Row> materials();  // and pairs
 std::vector<Row> shapes();
 std::vector<Row> bodies();
+std::vector<Row> blocks();  // generators of many polyhedra
 std::vector<Row> walls();
 std::vector<Row> flows();  // outlets and inlets
 std::vector<Row> measures();

@@ -1,4 +1,4 @@
-// Rows of the schema table: shapes.
+// Rows of the schema table: shapes, and the generators that make many polyhedra at once.
 #include "io/scenario/schema_rows.hpp"
 
 namespace scree::io::rows {
@@ -114,6 +114,108 @@ std::vector<Row> shapes() {
     add_sizes(rows, "rock", "another key says the size");
     add_sizes(rows, "hull", "`scale` holds");
     add_sizes(rows, "file", "`scale` holds");
+    return rows;
+}
+
+std::vector<Row> blocks() {
+    std::vector<Row> rows{
+        variant("bodies[voronoi]")
+            .says("A box filled with the Voronoi cells of random points: grains that fit without gaps."),
+        section("bodies[voronoi].region").required().like("REGION", {"box"}).says("The box."),
+        integer("bodies[voronoi].count")
+            .in(between(1, 1e7))
+            .or_else("`cell_size` says how many")
+            .says("Number of cells."),
+        number("bodies[voronoi].cell_size", length)
+            .in(kPositive)
+            .or_else("`count` says how many")
+            .says("Mean size of a cell: diameter of the ball of equal volume."),
+
+        variant("bodies[rock_mass]")
+            .says("A convex part of rock, cut through by sets of parallel joints into blocks that fill it. x is east, "
+                  "y north, z up."),
+        section("bodies[rock_mass].region")
+            .like("REGION", {"box"})
+            .or_else("`points` say it")
+            .says("The rock before it is cut, as a box."),
+        table("bodies[rock_mass].points", {{"x", length, {}}, {"y", length, {}}, {"z", length, {}}})
+            .or_else("`region` says it")
+            .says("The rock before it is cut, as the convex hull of these points: a slope, for instance."),
+        list("bodies[rock_mass].joints").says("The joint sets; every joint runs through the whole mass."),
+        number("bodies[rock_mass].joints[].dip", angle)
+            .required()
+            .in(between(0, 1.5707963267948966))
+            .says("Angle of steepest descent below the horizontal: 0 bedding that lies flat, 90 deg upright."),
+        number("bodies[rock_mass].joints[].dip_direction", angle)
+            .standardly("0")
+            .says("Azimuth of the steepest descent, clockwise from north: 90 deg falls to the east."),
+        number("bodies[rock_mass].joints[].spacing", length)
+            .required()
+            .in(kPositive)
+            .says("Mean distance between neighbours, along their normal. The number of blocks grows with its third "
+                  "inverse power if all sets have it."),
+        number("bodies[rock_mass].joints[].spacing_scatter")
+            .standardly("0")
+            .in(between(0, 0.99))
+            .says("Distances are uniform in spacing (1 +- this)."),
+        number("bodies[rock_mass].joints[].angle_scatter", angle)
+            .standardly("0")
+            .in(between(0, 0.3))
+            .says("Standard deviation of the normal's direction. Above 0 joints of one set may cross, which makes thin "
+                  "wedges."),
+
+        variant("bodies[wall_of_blocks]").says("A wall of equal blocks in courses."),
+        vector("bodies[wall_of_blocks].corner", length)
+            .required()
+            .says("The lower corner that the wall extends from: along `direction`, to the left of it, and up."),
+        direction("bodies[wall_of_blocks].direction")
+            .standardly("[1, 0, 0]")
+            .says("Along the wall; the part along `up` is dropped."),
+        direction("bodies[wall_of_blocks].up").standardly("[0, 0, 1]").says("From course to course."),
+        integer("bodies[wall_of_blocks].rows").required().in(between(1, 1e6)).says("Number of courses."),
+        integer("bodies[wall_of_blocks].columns").required().in(between(1, 1e6)).says("Number of blocks in a course."),
+        vector("bodies[wall_of_blocks].size", length)
+            .required()
+            .says("A block: length along the wall, thickness across it, height."),
+        choice("bodies[wall_of_blocks].bond", {"running", "stack"})
+            .standardly("running")
+            .says("`running`: every second course is shifted by half a block and ends in two half blocks, so that the "
+                  "ends are flush. `stack`: blocks straight above each other."),
+
+        variant("bodies[arch]")
+            .says("A round arch of equal voussoirs with radial joints. Inner and outer faces are flat, between corners "
+                  "on the two circles."),
+        vector("bodies[arch].centre", length).required().says("Centre of the circle, in the middle of the depth."),
+        direction("bodies[arch].direction")
+            .standardly("[1, 0, 0]")
+            .says("Across the opening; bodies count up this way. The part along `up` is dropped."),
+        direction("bodies[arch].up").standardly("[0, 0, 1]").says("From the centre to the crown."),
+        integer("bodies[arch].count").required().in(between(1, 10000)).says("Number of voussoirs."),
+        number("bodies[arch].radius", length).required().in(kPositive).says("Radius of the line midway through it."),
+        number("bodies[arch].thickness", length)
+            .required()
+            .in(kPositive)
+            .says("Length of the joints, along the radius. A semicircle falls below about 0.107 of the radius."),
+        number("bodies[arch].depth", length).required().in(kPositive).says("Along the axis."),
+        number("bodies[arch].embrace", angle)
+            .standardly("180 deg")
+            .in({0.0, 6.283185307179586, true})
+            .says("Angle between the first and the last joint: 180 deg is a semicircle."),
+    };
+    for (const char* generator : {"voronoi", "rock_mass", "wall_of_blocks"}) {
+        rows.push_back(number(std::string("bodies[") + generator + "].gap", length)
+                           .standardly("0")
+                           .in(kNotNegative)
+                           .says("Distance between neighbours at the start. 0: they touch."));
+    }
+    for (const char* generator : {"voronoi", "rock_mass", "wall_of_blocks", "arch"}) {
+        const std::string path = std::string("bodies[") + generator + "].";
+        rows.push_back(text(path + "material").required().naming("materials").says("Their material."));
+        rows.push_back(vector(path + "velocity", velocity).standardly("[0, 0, 0]").says("Velocity at time 0."));
+        rows.push_back(vector(path + "spin", angular_velocity)
+                           .standardly("[0, 0, 0]")
+                           .says("Angular velocity at time 0, of each body about its own centre of mass."));
+    }
     return rows;
 }
 

@@ -7,8 +7,8 @@ namespace scree::io {
 const std::vector<Row>& schema_rows() {
     static const std::vector<Row> table = [] {
         std::vector<Row> all;
-        for (const auto& part : {rows::run(), rows::materials(), rows::shapes(), rows::bodies(), rows::walls(),
-                                 rows::flows(), rows::measures(), rows::output(), rows::shared()}) {
+        for (const auto& part : {rows::run(), rows::materials(), rows::shapes(), rows::bodies(), rows::blocks(),
+                                 rows::walls(), rows::flows(), rows::measures(), rows::output(), rows::shared()}) {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;
@@ -26,6 +26,8 @@ const std::vector<Rule>& schema_rules() {
         {at_least_one, "bodies[random]", {"size", "shape"}},
         {exactly_one, "bodies[random]", {"count", "mass", "packing_fraction"}},
         {at_most_one, "bodies[polyhedron]", {"scale", "diameter"}},
+        {exactly_one, "bodies[voronoi]", {"count", "cell_size"}},
+        {exactly_one, "bodies[rock_mass]", {"region", "points"}},
         {ascending, "walls", {"appears", "goes"}},
         {ascending, "walls[box]", {"lower", "upper"}},
         {ascending, "walls[].motion", {"start", "end"}},
