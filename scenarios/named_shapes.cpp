@@ -138,9 +138,7 @@ std::string trouble_with(const ConvexShape& shape) {
     const double edge = shortest_edge(shape) / side[2];
     if (edge < kEdgeShown)
         return fmt::format(
-            "has an edge of {:.2g} of its length: points of contact there are as good as one, and cost "
-            "twice",
-            edge);
+            "has an edge of {:.2g} of its length, whose ends act as one point of contact and cost as two", edge);
     return {};
 }
 
