@@ -129,6 +129,26 @@ TEST(Parts, Polyhedra) {
     expect_same_on_all_ranks(lattice("cells: [2, 1, 1], shape: stone"), ".", kShapes);
 }
 
+TEST(Parts, Blocks) {
+    const std::string voronoi =
+        "  - {generator: voronoi, material: glass, region: {shape: box, lower: [0, 0, 0], upper: [1, 1, 1]}, count: "
+        "23}\n";
+    const std::string rock =
+        "  - {generator: rock_mass, material: glass, region: {shape: box, lower: [0, 0, 5], upper: [1, 1, 6]}, gap: 1 "
+        "mm, "
+        "joints: [{dip: 40 deg, spacing: 0.3, angle_scatter: 3 deg}, {dip: 80 deg, dip_direction: 70 deg, spacing: "
+        "0.2}]}\n";
+    const std::string wall =
+        "  - {generator: wall_of_blocks, material: glass, corner: [0, 9, 0], rows: 5, columns: 7, size: [0.4, 0.2, "
+        "0.2]}\n";
+    const std::string arch =
+        "  - {generator: arch, material: steel, centre: [0, 0, 20], count: 4, radius: 3, thickness: 0.5, depth: 1, "
+        "spin: "
+        "[0, 0, 1]}\n";
+    expect_same_on_all_ranks(voronoi + rock + wall + arch);
+    expect_same_on_all_ranks(arch + lattice("cells: [3, 3, 3], shape: stone") + rock, ".", kShapes);
+}
+
 TEST(Parts, FilesOfPolyhedra) {
     const Communicator ranks = Communicator::world();
     const testing::TemporaryFolder folder;
