@@ -60,12 +60,45 @@ std::string bodies_lines(const Scene& scene, const State& state) {
     }
     const auto [small, large] = std::minmax_element(bodies.radius.begin(), bodies.radius.end());
     std::string text = fmt::format("  bodies      {}, {:.5g} kg\n", plural(bodies.size(), "body", "bodies"), mass);
+    const char* const what = bodies.has_shapes() ? " (of the balls that hold them)" : "";
     text += *small == *large
-                ? fmt::format("  diameter    {}\n", length_text(2.0 * *small))
-                : fmt::format("  diameters   {} to {}\n", length_text(2.0 * *small), length_text(2.0 * *large));
+                ? fmt::format("  diameter    {}{}\n", length_text(2.0 * *small), what)
+                : fmt::format("  diameters   {} to {}{}\n", length_text(2.0 * *small), length_text(2.0 * *large), what);
     return text +
            fmt::format("  centres     {} to {}\n", point_text(scene.origin + lower), point_text(scene.origin + upper));
 }
+
+double bytes_of(const ConvexShape& s) {
+    return static_cast<double>(sizeof(ConvexShape) + s.vertex.size() * sizeof(Vec3) +
+                               s.face.size() * sizeof(ConvexShape::Face) + s.edge.size() * sizeof(ConvexShape::Edge) +
+                               (s.corner.size() + s.link_begin.size() + s.link.size()) * sizeof(std::uint32_t));
+}
+
+// All shapes that were made from one item of the scenario.
+struct ShapesOfName {
+    std::string name;
+    std::uint64_t shapes = 0, bodies = 0;
+    std::size_t least_vertices = 0, most_vertices = 0;
+    double smallest = 0.0, largest = 0.0;  // [m3]
+
+    void add(const ConvexShape& shape, std::uint64_t instances) {
+        const std::size_t n = shape.vertex.size();
+        least_vertices = shapes == 0 ? n : std::min(least_vertices, n);
+        most_vertices = std::max(most_vertices, n);
+        smallest = shapes == 0 ? shape.volume : std::min(smallest, shape.volume);
+        largest = std::max(largest, shape.volume);
+        ++shapes;
+        bodies += instances;
+    }
+    std::string text() const {
+        std::string line = fmt::format("  shape       {}: {}", name, plural(bodies, "body", "bodies"));
+        if (shapes > 1) line += fmt::format(", {} shapes", count_text(shapes));
+        line += least_vertices == most_vertices ? fmt::format(", {} vertices", most_vertices)
+                                                : fmt::format(", {} to {} vertices", least_vertices, most_vertices);
+        return line + (smallest == largest ? fmt::format(", {:.4g} m3\n", largest)
+                                           : fmt::format(", {:.4g} to {:.4g} m3\n", smallest, largest));
+    }
+};
 
 std::string scene_lines(const Scene& scene) {
     std::string text;
@@ -96,6 +129,26 @@ std::string time_line(const Scene& scene, const OutputSchedule& schedule) {
 
 }  // namespace
 
+std::string shapes_lines(const State& state, const std::vector<std::string>& name) {
+    if (state.shapes.empty()) return "";
+    std::vector<std::uint64_t> bodies(state.shapes.size(), 0);
+    for (const ShapeIndex s : state.bodies.shape)
+        if (s != kSphere) ++bodies[raw(s)];
+    std::vector<ShapesOfName> lines;
+    for (std::size_t s = 0; s < state.shapes.size(); ++s) {
+        const auto same = [&](const ShapesOfName& line) { return line.name == name[s]; };
+        auto line = std::find_if(lines.begin(), lines.end(), same);
+        if (line == lines.end()) line = lines.insert(lines.end(), {name[s]});
+        line->add(state.shapes[s], bodies[s]);
+    }
+    std::string text;
+    double held = 0.0;
+    for (const ShapesOfName& line : lines) text += line.text();
+    for (const ConvexShape& shape : state.shapes) held += bytes_of(shape);
+    return text + fmt::format("              {} in all, {} on each rank\n",
+                              plural(state.shapes.size(), "shape", "shapes"), bytes_text(held));
+}
+
 CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& state) {
     const OutputSchedule schedule(scene.time, scene.output);
     const auto bodies = static_cast<double>(state.bodies.size());
@@ -115,11 +168,13 @@ CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& st
 }
 
 std::string check_report(const std::string& scenario_name, const Scene& scene, const Plan& plan, const State& state,
-                         const std::vector<std::string>& warnings, int ranks) {
+                         const std::vector<std::string>& shape_name, const std::vector<std::string>& warnings,
+                         int ranks) {
     const OutputSchedule schedule(scene.time, scene.output);
     std::string text = fmt::format("{}: valid\n", scenario_name);
     if (!scene.title.empty()) text += fmt::format("  title       {}\n", scene.title);
-    text += bodies_lines(scene, state) + scene_lines(scene) + time_line(scene, schedule);
+    text +=
+        bodies_lines(scene, state) + shapes_lines(state, shape_name) + scene_lines(scene) + time_line(scene, schedule);
 
     text += "plan (what the scene does not need is neither stored nor computed)\n";
     for (const PlanLine& line : plan.lines) {

@@ -25,8 +25,13 @@ struct CostEstimate {
 };
 CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& state);
 
-// `ranks`: how the bodies would be shared out; 0: not asked for.
+// The shapes of the bodies, a line for each name; "" when all are spheres. `name`: of each of state.shapes.
+std::string shapes_lines(const State& state, const std::vector<std::string>& name);
+
+// `shape_name`: of each of state.shapes, what it was made from. `ranks`: how the bodies would be shared out; 0: not
+// asked for.
 std::string check_report(const std::string& scenario_name, const Scene& scene, const Plan& plan, const State& state,
-                         const std::vector<std::string>& warnings, int ranks = 0);
+                         const std::vector<std::string>& shape_name, const std::vector<std::string>& warnings,
+                         int ranks = 0);
 
 }  // namespace scree::app

@@ -16,7 +16,7 @@ ExitCode check_command(const CheckOptions& options) {
     Plan plan = make_plan(built.scene, built.state.bodies);
     measure_memory(built.scene, plan);
     write_all(STDERR_FILENO, scenario.diagnostics->warnings());
-    fmt::print("{}", check_report(options.scenario, built.scene, plan, built.state,
+    fmt::print("{}", check_report(options.scenario, built.scene, plan, built.state, built.shape_name,
                                   scene_warnings(built.scene, built.state), options.ranks));
     return ExitCode::complete;
 }

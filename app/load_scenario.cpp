@@ -55,7 +55,7 @@ BuiltScenario build_scenario(const LoadedScenario& scenario, const Communicator&
     scenarios::Built built = scenarios::build(scenario.root, scenario.folder, *scenario.diagnostics, ranks);
     throw_if_errors(*scenario.diagnostics, ranks);
     solvers::start_ledger(built.scene, built.state, ranks);
-    return {std::move(built.scene), std::move(built.state)};
+    return {std::move(built.scene), std::move(built.state), std::move(built.shape_name)};
 }
 
 void set_origin(LoadedScenario& scenario, const Vec3& origin) {

@@ -31,7 +31,8 @@ LoadedScenario load_resolved(const std::string& resolved, const std::string& nam
 
 struct BuiltScenario {
     Scene scene;
-    State state;  // at time 0, ledger started; of the bodies this rank's
+    State state;                            // at time 0, ledger started; of the bodies this rank's
+    std::vector<std::string> shape_name{};  // of each of state.shapes: what it was made from
 };
 BuiltScenario build_scenario(const LoadedScenario& scenario, const Communicator& ranks = Communicator::self());
 // Writes an origin that was chosen automatically into the scenario, so that a resumed run has the same one.

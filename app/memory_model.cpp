@@ -33,7 +33,7 @@ State trial_state(const Plan& plan, double pitch) {
     b.mass.assign(n, 1.0);
     b.material.assign(n, MaterialIndex{0});
     b.velocity.assign(n, Vec3::Zero());
-    if (plan.friction) b.spin.assign(n, Vec3::Zero());
+    if (plan.spin) b.spin.assign(n, Vec3::Zero());
     if (plan.orientation) b.orientation.assign(n, Quat::Identity());
     b.id.reserve(n);
     b.position.reserve(n);
@@ -61,14 +61,16 @@ Trial trial(const Scene& scene, const Plan& plan, double pitch) {
 }  // namespace
 
 void measure_memory(const Scene& scene, Plan& plan) {
+    Plan spheres = plan;  // the trial cube holds spheres, whatever the scene does
+    spheres.polyhedra = false;
     Scene bare = scene;
     bare.walls.clear();
     bare.inlets.clear();
     bare.outlets.clear();
     bare.measures.clear();
     bare.gravity = TimeTable::constant(Vec3::Zero());
-    const Trial apart = trial(bare, plan, 4.0 * kRadius);
-    const Trial touching = trial(bare, plan, 2.0 * kRadius * (1.0 - 1e-6));
+    const Trial apart = trial(bare, spheres, 4.0 * kRadius);
+    const Trial touching = trial(bare, spheres, 2.0 * kRadius * (1.0 - 1e-6));
     SCREE_CHECK(apart.contacts == 0 && touching.contacts > 0);
     plan.bytes_per_body = apart.bytes / (kEdge * kEdge * kEdge);
     plan.bytes_per_contact = (std::max(touching.bytes, apart.bytes) - apart.bytes) / touching.contacts;

@@ -10,6 +10,7 @@
 #include "scenarios/generators.hpp"
 #include "scenarios/materials.hpp"
 #include "scenarios/measures.hpp"
+#include "scenarios/named_shapes.hpp"
 #include "scenarios/origin.hpp"
 #include "scenarios/settings.hpp"
 #include "scenarios/walls.hpp"
@@ -31,7 +32,8 @@ std::vector<BodyFile> read_body_files(const io::Node& scenario, const Context& c
     const io::Node::List& items = items_of(scenario, "bodies");
     const std::size_t whole = made_whole(scenario);
     for (std::size_t i = 0; i < items.size(); ++i) {
-        if (items[i].text("generator") == "file") files.push_back(read_body_file(items[i], context, ranks, i < whole));
+        if (items[i].text("generator") == "file")
+            files.push_back(read_body_file(items[i], i, context, ranks, i < whole));
     }
     return files;
 }
@@ -50,7 +52,7 @@ Scene build_in_frame(const io::Node& scenario, const Vec3& origin, std::vector<T
 }
 
 Context make_context(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics) {
-    Context context{diagnostics, folder, 1, Vec3::Zero(), {}};
+    Context context{diagnostics, folder, 1, Vec3::Zero(), {}, {}};
     if (scenario.has("seed")) context.seed = static_cast<std::uint64_t>(scenario.integer("seed"));
     return context;
 }
@@ -86,8 +88,18 @@ BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, 
         const Communicator& sharing = stream < whole ? Communicator::self() : ranks;
         if (generator == "sphere") {
             generate_sphere(node, context, sharing, bodies);
+        } else if (generator == "polyhedron") {
+            generate_polyhedron(node, stream, context, sharing, bodies);
         } else if (generator == "lattice") {
             generate_lattice(node, stream, context, sharing, bodies);
+        } else if (generator == "voronoi") {
+            generate_voronoi(node, stream, context, sharing, bodies);
+        } else if (generator == "rock_mass") {
+            generate_rock_mass(node, stream, context, sharing, bodies);
+        } else if (generator == "wall_of_blocks") {
+            generate_wall_of_blocks(node, context, sharing, bodies);
+        } else if (generator == "arch") {
+            generate_arch(node, context, sharing, bodies);
         } else if (generator == "random") {
             generate_random(node, stream, context, scene, bodies);
         } else {
@@ -97,6 +109,29 @@ BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, 
         if (++stream == whole) keep_part(ranks, bodies);
     }
     return bodies;
+}
+
+// Sizes and variants that no body of any rank took.
+void drop_unused_shapes(const Communicator& ranks, BodyList& bodies) {
+    std::vector<std::uint64_t> count(bodies.shapes.size(), 0);
+    for (const ShapeIndex s : bodies.shape)
+        if (s != kSphere) ++count[raw(s)];
+    ranks.sum(count);
+    std::vector<ShapeIndex> now(count.size(), kSphere);
+    std::uint32_t kept = 0;
+    for (std::size_t s = 0; s < count.size(); ++s) {
+        if (count[s] == 0) continue;
+        now[s] = ShapeIndex{kept};
+        if (kept != s) {
+            bodies.shapes[kept] = std::move(bodies.shapes[s]);
+            bodies.shape_name[kept] = std::move(bodies.shape_name[s]);
+        }
+        ++kept;
+    }
+    bodies.shapes.resize(kept);
+    bodies.shape_name.resize(kept);
+    for (ShapeIndex& s : bodies.shape)
+        if (s != kSphere) s = now[raw(s)];
 }
 
 State make_state(BodyList list, const Scene& scene, const io::Node& scenario, const Context& context,
@@ -156,7 +191,8 @@ Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagn
     } else if (origin) {
         chosen = *origin;
     } else {
-        chosen = choose_origin(scenario, read_body_files(scenario, context, ranks), terrains);
+        build_shapes(scenario, ranks, context);
+        chosen = choose_origin(scenario, context.shapes, read_body_files(scenario, context, ranks), terrains);
     }
     return build_in_frame(scenario, chosen, std::move(terrains), context, std::move(scene));
 }
@@ -166,13 +202,17 @@ Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics
     Context context = make_context(scenario, folder, diagnostics);
     Scene scene;
     build_materials(scenario, context, scene);
+    build_shapes(scenario, ranks, context);
     const std::vector<BodyFile> files = read_body_files(scenario, context, ranks);
     std::vector<TerrainFile> terrains = read_terrains(scenario, context, ranks);
-    const Vec3 origin = scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, files, terrains);
+    const Vec3 origin =
+        scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, context.shapes, files, terrains);
     Built built;
     built.scene = build_in_frame(scenario, origin, std::move(terrains), context, std::move(scene));
-    built.state =
-        make_state(generate(scenario, files, context, built.scene, ranks), built.scene, scenario, context, ranks);
+    BodyList bodies = generate(scenario, files, context, built.scene, ranks);
+    drop_unused_shapes(ranks, bodies);
+    built.shape_name = std::move(bodies.shape_name);
+    built.state = make_state(std::move(bodies), built.scene, scenario, context, ranks);
     return built;
 }
 

@@ -16,7 +16,8 @@ namespace scree::scenarios {
 
 struct Built {
     Scene scene;
-    State state;  // this rank's bodies at time 0, ordered by id; ledger and plan not yet made
+    State state;                          // this rank's bodies at time 0, ordered by id; ledger and plan not yet made
+    std::vector<std::string> shape_name;  // of each of state.shapes: what it was made from
 };
 
 // The scene alone: what a resumed run needs (its bodies come from the checkpoint). `origin`: the local origin that the

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/errors.hpp"
+
 namespace scree::scenarios {
 
 void Context::error(const io::Node& node, const std::string& message) const {
@@ -26,6 +28,13 @@ Vec3 Context::direction(const io::Node& node) const {
 
 MaterialIndex Context::material(const io::Node& name) const {
     return MaterialIndex{static_cast<std::uint16_t>(find(name, materials, "material"))};
+}
+
+std::size_t Context::shape(const io::Node& name) const {
+    const auto named = [&](const NamedShape& s) { return s.name == name.text(); };
+    const auto found = std::find_if(shapes.begin(), shapes.end(), named);
+    SCREE_CHECK(found != shapes.end());
+    return static_cast<std::size_t>(found - shapes.begin());
 }
 
 std::size_t Context::find(const io::Node& name, const std::vector<std::string>& names, std::string_view what) const {

@@ -1,5 +1,5 @@
-// What all builders share: where faults go, the scenario's folder, the local origin, the names of the materials; and
-// small helpers on nodes.
+// What all builders share: where faults go, the scenario's folder, the local origin, the names of the materials, the
+// shapes; and small helpers on nodes.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,23 @@
 #include <vector>
 
 #include "core/ids.hpp"
+#include "core/make_shape.hpp"
+#include "core/random.hpp"
 #include "core/vec.hpp"
 #include "io/scenario/diagnostics.hpp"
 #include "io/scenario/scenario_node.hpp"
 
 namespace scree::scenarios {
+
+// An item of `shapes`.
+struct NamedShape {
+    std::string name;
+    std::vector<PlacedShape> variants;  // a body takes one of them; none: it is faulty, which has been reported
+
+    std::size_t draw_variant(Random& random) const {
+        return static_cast<std::size_t>(random.uniform() * static_cast<double>(variants.size()));
+    }
+};
 
 struct Context {
     io::Diagnostics& diagnostics;
@@ -20,6 +32,7 @@ struct Context {
     std::uint64_t seed = 1;
     Vec3 origin = Vec3::Zero();          // [m] taken from every position of the file
     std::vector<std::string> materials;  // by MaterialIndex
+    std::vector<NamedShape> shapes{};
 
     void error(const io::Node& node, const std::string& message) const;
     void warning(const io::Node& node, const std::string& message) const;
@@ -31,6 +44,8 @@ struct Context {
     Vec3 direction(const io::Node& node) const;
     // The material of this name; an error (and material 0) if there is none.
     MaterialIndex material(const io::Node& name) const;
+    // The index in `shapes` of a name that the reader has checked.
+    std::size_t shape(const io::Node& name) const;
     // The index of a name; an error that names the nearest one (and 0) if it is unknown.
     std::size_t find(const io::Node& name, const std::vector<std::string>& names, std::string_view what) const;
     // Errors at each `name` that an earlier item has.

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/bodies.hpp"
@@ -28,7 +30,8 @@ struct Part {
 };
 
 // Bodies as they come, those of this rank. Positions in the local frame.
-struct BodyList {
+class BodyList {
+  public:
     std::vector<std::uint64_t> id;  // increasing
     std::vector<double> radius;     // [m]
     std::vector<MaterialIndex> material;
@@ -36,6 +39,7 @@ struct BodyList {
     std::vector<ShapeIndex> shape;               // kSphere or an index of `shapes`
     std::vector<Quat> orientation;               // of the body frame
     std::vector<ConvexShape> shapes;             // the same on all ranks; empty while all bodies are spheres
+    std::vector<std::string> shape_name;         // of each: what it was made from
     std::uint64_t next_id = 0;                   // of the next generator's first body: the same on all ranks
 
     std::size_t size() const { return radius.size(); }
@@ -56,10 +60,18 @@ struct BodyList {
         shape.back() = s;
         orientation.back() = q;
     }
-    ShapeIndex add_shape(ConvexShape s) {
+    // `name`: what it is made from.
+    ShapeIndex add_shape(ConvexShape s, std::string name = {}) {
         shapes.push_back(std::move(s));
+        shape_name.push_back(std::move(name));
         return ShapeIndex{static_cast<std::uint32_t>(shapes.size() - 1)};
     }
+    // A variant of context.shapes, `factor` times as large; the same one twice is one shape. To be called alike on all
+    // ranks.
+    ShapeIndex add_instance(const NamedShape& named, std::size_t variant, double factor);
+
+  private:
+    std::map<std::tuple<std::string, std::size_t, double>, ShapeIndex> instances_;
 };
 
 // More bodies than a LocalBody can count are refused, on each rank.
@@ -67,8 +79,17 @@ inline constexpr double kMostBodies = 4294967295.0;
 
 // `ranks` share what is made: each calls the generator and gets its part.
 void generate_sphere(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
+void generate_polyhedron(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
+                         BodyList& bodies);
 void generate_lattice(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
                       BodyList& bodies);
+// Blocks that fill a part of space, and masonry. Every rank makes all shapes.
+void generate_voronoi(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
+                      BodyList& bodies);
+void generate_rock_mass(const io::Node& node, std::uint64_t stream, const Context& context, const Communicator& ranks,
+                        BodyList& bodies);
+void generate_wall_of_blocks(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
+void generate_arch(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
 // Keeps clear of the bodies already in the list and of the walls that are there at time 0. Each place depends on all
 // that were taken before, so the list must be whole, and all bodies are made: on many ranks each does all the work and
 // holds the bodies of the whole region for a while.

@@ -1,4 +1,4 @@
-// One sphere, and spheres on a grid.
+// One sphere, and bodies on a grid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scenarios/generators.hpp"
+#include "scenarios/figures.hpp"
 #include "scenarios/regions.hpp"
 
 namespace scree::scenarios {
@@ -88,7 +88,7 @@ void generate_lattice(const io::Node& node, std::uint64_t stream, const Context&
                       BodyList& bodies) {
     const std::size_t before = context.errors();
     const MaterialIndex material = context.material(node.at("material"));
-    const auto size = build_size(node.at("size"), context);
+    const auto figures = Figures::read(node, stream, context, bodies);
     const Grid grid = read_grid(node, context);
     const bool limited = node.has("count");
     const auto count =
@@ -101,7 +101,7 @@ void generate_lattice(const io::Node& node, std::uint64_t stream, const Context&
     } else if (limited && grid.places() < static_cast<double>(count)) {
         context.error(node.at("cells"), fmt::format("hold {:g} bodies, fewer than count ({})", grid.places(), count));
     }
-    if (context.errors() != before) return;
+    if (context.errors() != before || !figures) return;
 
     const double jitter = number_or(node, "jitter", 0.0);
     const Vec3 velocity = vector_or(node, "velocity", Vec3::Zero()), spin = vector_or(node, "spin", Vec3::Zero());
@@ -111,11 +111,11 @@ void generate_lattice(const io::Node& node, std::uint64_t stream, const Context&
         filling.fill(part, filling.made_before(part, ranks), [&](std::uint64_t place, std::uint64_t number) {
             Vec3 x = grid.place(place);
             Random random(context.seed, stream, place);
-            const double radius = 0.5 * draw_diameter(*size, random);
+            const Figure figure = figures->draw(place, random);
             if (jitter > 0.0) {
                 for (int axis = 0; axis < 3; ++axis) x[axis] += random.uniform(-jitter, jitter);
             }
-            bodies.add(bodies.next_id + number, radius, material, x, velocity, spin);
+            add(bodies, bodies.next_id + number, figure, material, x, velocity, spin);
         });
     const std::uint64_t all = ranks.sum(made);
     bodies.next_id += all;

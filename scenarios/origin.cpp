@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenarios/named_shapes.hpp"
+
 namespace scree::scenarios {
 namespace {
 
@@ -51,12 +53,51 @@ void add_lattice(Box& box, const Node& node) {
     box.add(corner + cells.cwiseProduct(pitch), 0.5 * pitch.maxCoeff());
 }
 
-void add_bodies(Box& box, const Node& node) {
+// The largest ball about its origin that an instance of a shape may need; 0 if it was found faulty.
+double reach_of(const Node& node, const std::vector<NamedShape>& shapes) {
+    double reach = 0.0;
+    for (const NamedShape& named : shapes) {
+        if (named.name != node.text("shape")) continue;
+        for (const PlacedShape& placed : named.variants) {
+            const double factor = node.has("diameter") ? node.number("diameter") / equivalent_diameter(placed.shape)
+                                                       : node.number("scale");
+            const double to_centre = node.text("placed_by") == "origin" ? placed.centre.norm() : 0.0;
+            reach = std::max(reach, factor * (placed.shape.radius + to_centre));
+        }
+    }
+    return reach;
+}
+
+// Masonry: generously around it.
+void add_wall_of_blocks(Box& box, const Node& node) {
+    const Vec3 size = node.vector("size") + Vec3::Constant(node.number("gap"));
+    const Vec3 whole(size.x() * node.number("columns"), size.y(), size.z() * node.number("rows"));
+    const Vec3 along = node.vector("direction").stableNormalized(), up = node.vector("up").stableNormalized();
+    box.add(node.vector("corner"), whole.y());
+    box.add(node.vector("corner") + whole.x() * along + whole.z() * up, whole.y());
+}
+
+// Blocks that fill a region, or the hull of points.
+void add_filled(Box& box, const Node& node) {
+    if (node.has("region")) return add_region(box, node.at("region"));
+    for (const Node& row : node.at("points").items())
+        box.add(Vec3(row.at(0).number(), row.at(1).number(), row.at(2).number()));
+}
+
+void add_bodies(Box& box, const Node& node, const std::vector<NamedShape>& shapes) {
     const std::string& generator = node.text("generator");
     if (generator == "sphere") {
         box.add(node.vector("position"), node.has("radius") ? node.number("radius") : 0.5 * node.number("diameter"));
+    } else if (generator == "polyhedron") {
+        box.add(node.vector("position"), reach_of(node, shapes));
     } else if (generator == "lattice") {
         add_lattice(box, node);
+    } else if (generator == "voronoi" || generator == "rock_mass") {
+        add_filled(box, node);
+    } else if (generator == "wall_of_blocks") {
+        add_wall_of_blocks(box, node);
+    } else if (generator == "arch") {
+        box.add(node.vector("centre"), node.number("radius") + node.number("thickness") + node.number("depth"));
     } else if (generator == "random") {
         add_region(box, node.at("region"));
     }
@@ -82,9 +123,10 @@ void add_wall(Box& box, const Node& node) {
 
 }  // namespace
 
-Vec3 choose_origin(const Node& scenario, const std::vector<BodyFile>& files, const std::vector<TerrainFile>& terrains) {
+Vec3 choose_origin(const Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files,
+                   const std::vector<TerrainFile>& terrains) {
     Box box;
-    for (const Node& node : items_of(scenario, "bodies")) add_bodies(box, node);
+    for (const Node& node : items_of(scenario, "bodies")) add_bodies(box, node, shapes);
     for (const Node& node : items_of(scenario, "inlets")) add_region(box, node.at("region"));
     for (const Node& node : items_of(scenario, "walls")) add_wall(box, node);
     for (const BodyFile& file : files) {

@@ -13,7 +13,7 @@
 namespace scree::scenarios {
 
 // `files`: the bodies of each `generator: file`; `terrains`: of each wall that is one.
-Vec3 choose_origin(const io::Node& scenario, const std::vector<BodyFile>& files,
+Vec3 choose_origin(const io::Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files,
                    const std::vector<TerrainFile>& terrains);
 
 }  // namespace scree::scenarios

@@ -1,6 +1,7 @@
 // Random sequential insertion (Feder 1980, J. Theor. Biol. 87, 237): bodies are put one after the other at uniformly
 // random places, a place where one would overlap is thrown away. The largest come first, since they need the most room.
-// It saturates at a packing fraction of about 0.38 for equal spheres.
+// It saturates at a packing fraction of about 0.38 for equal spheres. Polyhedra are kept apart by the balls that hold
+// them, and fill less.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include <optional>
 
 #include "contact/walls/wall_contact.hpp"
-#include "scenarios/generators.hpp"
+#include "scenarios/figures.hpp"
 #include "scenarios/regions.hpp"
 #include "scenarios/sphere_grid.hpp"
 
@@ -59,19 +60,19 @@ class StandingWalls {
     std::vector<Standing> walls_;
 };
 
-// What is to be put in: diameters and their random numbers, in the order in which they were drawn.
+// What is to be put in: bodies and their random numbers, in the order in which they were drawn.
 struct Wanted {
-    std::vector<double> radius;
+    std::vector<Figure> figure;
     std::vector<Random> random;
 
-    void draw(const SizeDistribution& size, const Context& context, std::uint64_t stream) {
-        Random numbers(context.seed, stream, radius.size());
-        radius.push_back(0.5 * draw_diameter(size, numbers));
+    void draw(const Figures& figures, const Context& context, std::uint64_t stream) {
+        Random numbers(context.seed, stream, figure.size());
+        figure.push_back(figures.draw(figure.size(), numbers));
         random.push_back(numbers);
     }
 };
 
-Wanted draw_bodies(const io::Node& node, std::uint64_t stream, const SizeDistribution& size, const Region& region,
+Wanted draw_bodies(const io::Node& node, std::uint64_t stream, const Figures& figures, const Region& region,
                    double density, const Context& context) {
     Wanted wanted;
     if (node.has("count")) {
@@ -80,23 +81,23 @@ Wanted draw_bodies(const io::Node& node, std::uint64_t stream, const SizeDistrib
             context.error(node.at("count"), fmt::format("is more than one run can hold ({:g})", kMostBodies));
             return wanted;
         }
-        for (std::int64_t i = 0; i < count; ++i) wanted.draw(size, context, stream);
+        for (std::int64_t i = 0; i < count; ++i) wanted.draw(figures, context, stream);
         return wanted;
     }
     const bool by_mass = node.has("mass");
     const io::Node& amount = node.at(by_mass ? "mass" : "packing_fraction");
     const double volume_wanted = by_mass ? amount.number() / density : amount.number() * volume(region);
-    const auto ball = [](double radius) { return Bodies::sphere_mass(radius, 1.0); };
     if (volume_wanted > volume(region)) {
         context.error(amount, fmt::format("{:g} m3 of bodies do not fit into the region's {:g} m3", volume_wanted,
                                           volume(region)));
         return wanted;
     }
-    if (volume_wanted / ball(0.5 * largest_diameter(size)) > kMostBodies) {
+    if (volume_wanted / figures.largest_volume() > kMostBodies) {
         context.error(amount, fmt::format("makes more bodies than one run can hold ({:g})", kMostBodies));
         return wanted;
     }
-    for (double sum = 0.0; sum < volume_wanted; sum += ball(wanted.radius.back())) wanted.draw(size, context, stream);
+    for (double sum = 0.0; sum < volume_wanted; sum += wanted.figure.back().volume)
+        wanted.draw(figures, context, stream);
     return wanted;
 }
 
@@ -130,15 +131,15 @@ struct Placement {
 
 Placement place(Wanted& wanted, const Region& region, double gap, std::int64_t attempts, SphereGrid& grid,
                 const StandingWalls& walls) {
-    const std::size_t count = wanted.radius.size();
+    const std::size_t count = wanted.figure.size();
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return wanted.radius[a] > wanted.radius[b]; });
+                     [&](std::size_t a, std::size_t b) { return wanted.figure[a].radius > wanted.figure[b].radius; });
     Placement result;
     result.position.resize(count);
     for (const std::size_t k : order) {
-        const double radius = wanted.radius[k];
+        const double radius = wanted.figure[k].radius;
         const auto inner = shrunk(region, radius);
         bool found = false;
         for (std::int64_t attempt = 0; inner && !found && attempt < attempts; ++attempt) {
@@ -152,7 +153,7 @@ Placement place(Wanted& wanted, const Region& region, double gap, std::int64_t a
             return result;
         }
         grid.add(result.position[k], radius);
-        result.volume += Bodies::sphere_mass(radius, 1.0);
+        result.volume += wanted.figure[k].volume;
         ++result.placed;
     }
     return result;
@@ -164,22 +165,24 @@ void generate_random(const io::Node& node, std::uint64_t stream, const Context& 
                      BodyList& bodies) {
     const std::size_t before = context.errors();
     const MaterialIndex material = context.material(node.at("material"));
-    const auto size = build_size(node.at("size"), context);
+    const auto figures = Figures::read(node, stream, context, bodies);
     const auto region = build_finite_region(node.at("region"), context);
-    if (context.errors() != before) return;
-    Wanted wanted = draw_bodies(node, stream, *size, *region, scene.materials[raw(material)].density, context);
+    if (context.errors() != before || !figures) return;
+    Wanted wanted = draw_bodies(node, stream, *figures, *region, scene.materials[raw(material)].density, context);
     if (context.errors() != before) return;
 
     SphereGrid grid;
     for (std::size_t i = 0; i < bodies.size(); ++i) grid.add(bodies.position[i], bodies.radius[i]);
     const std::int64_t attempts = node.has("attempts") ? node.integer("attempts") : 10000;
     const Placement found = place(wanted, *region, number_or(node, "gap", 0.0), attempts, grid, StandingWalls(scene));
-    const std::size_t count = wanted.radius.size();
+    const std::size_t count = wanted.figure.size();
     if (found.placed < count) {
-        const double diameter = 2.0 * wanted.radius[found.stuck];
+        const Figure& stuck = wanted.figure[found.stuck];
+        const char* const of = stuck.shape == kSphere ? "a body" : "a polyhedron in a ball";
+        const double diameter = 2.0 * stuck.radius;
         const std::string why =
-            found.fits ? fmt::format("{} places were tried for a body of {:g} m diameter", attempts, diameter)
-                       : fmt::format("a body of {:g} m diameter is too large for the region", diameter);
+            found.fits ? fmt::format("{} places were tried for {} of {:g} m diameter", attempts, of, diameter)
+                       : fmt::format("{} of {:g} m diameter is too large for the region", of, diameter);
         context.error(
             node.at("region"),
             fmt::format("only {} of {} bodies could be placed (packing fraction {:.3f}): {}; enlarge the region, or "
@@ -189,7 +192,7 @@ void generate_random(const io::Node& node, std::uint64_t stream, const Context& 
     }
     const Vec3 velocity = vector_or(node, "velocity", Vec3::Zero()), spin = vector_or(node, "spin", Vec3::Zero());
     for (std::size_t k = 0; k < count; ++k)
-        bodies.add(bodies.next_id + k, wanted.radius[k], material, found.position[k], velocity, spin);
+        add(bodies, bodies.next_id + k, wanted.figure[k], material, found.position[k], velocity, spin);
     bodies.next_id += count;
 }
 

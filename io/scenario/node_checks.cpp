@@ -23,10 +23,11 @@ void NodeReader::check_group(const Section& section, const Rule& rule, const Yam
     for (const std::string& key : rule.keys) {
         if (const YamlEntry* entry = yaml.find(key)) given.push_back(entry);
     }
-    if (given.empty() && rule.kind == Rule::Kind::exactly_one) {
+    if (given.empty() && rule.kind != Rule::Kind::at_most_one) {
         diagnostics_.error(section.mark,
                            fmt::format("{} lacks one of the keys {}", section.described(), fmt::join(rule.keys, ", ")));
     }
+    if (rule.kind == Rule::Kind::at_least_one) return;
     for (std::size_t i = 1; i < given.size(); ++i) {
         diagnostics_.error(given[i]->mark, fmt::format("'{}' and '{}' of {} exclude each other; keep one",
                                                        given[0]->key, given[i]->key, section.described()));

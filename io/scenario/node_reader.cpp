@@ -143,7 +143,7 @@ const YamlValue& NodeReader::default_of(const Row& row) {
 void NodeReader::fill_in(const Section& section, const YamlValue& yaml, Node::Map& map) {
     const auto replaced = [&](const SchemaNode& key) {  // another key of its group is given in its place
         for (const Rule* rule : section.rules()) {
-            if (rule->kind == Rule::Kind::ascending) continue;
+            if (rule->kind == Rule::Kind::ascending || rule->kind == Rule::Kind::at_least_one) continue;
             const auto& keys = rule->keys;
             if (std::find(keys.begin(), keys.end(), key.key) == keys.end()) continue;
             if (std::any_of(keys.begin(), keys.end(), [&](const auto& k) { return yaml.find(k) != nullptr; }))

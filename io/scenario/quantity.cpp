@@ -59,6 +59,10 @@ constexpr std::array kUnits{
     Unit{"MPa", Dimension::pressure, 1e6, 1},
     Unit{"GPa", Dimension::pressure, 1e9, 1},
     Unit{"J", Dimension::energy, 1, 1},
+    Unit{"m3", Dimension::volume, 1, 1},
+    Unit{"L", Dimension::volume, 1, 1e3},
+    Unit{"cm3", Dimension::volume, 1, 1e6},
+    Unit{"mm3", Dimension::volume, 1, 1e9},
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -98,9 +102,9 @@ Leading leading_number(std::string_view text) {
 }  // namespace
 
 std::string_view dimension_name(Dimension dimension) {
-    constexpr std::array<std::string_view, 14> names{
-        "number",           "length",    "time",    "mass",      "velocity", "acceleration", "angle",
-        "angular velocity", "frequency", "density", "mass rate", "force",    "pressure",     "energy"};
+    constexpr std::array<std::string_view, 15> names{
+        "number",    "length",  "time",      "mass",  "velocity", "acceleration", "angle", "angular velocity",
+        "frequency", "density", "mass rate", "force", "pressure", "energy",       "volume"};
     return names[static_cast<std::size_t>(dimension)];
 }
 

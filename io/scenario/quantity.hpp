@@ -23,6 +23,7 @@ enum class Dimension {
     force,
     pressure,
     energy,
+    volume,
 };
 
 // "length", "angular velocity", ...: as it stands in messages. "number" for none.

@@ -124,6 +124,7 @@ class Tree {
         const SchemaNode& shared = node_at(node.row->same_as);
         const auto& only = node.row->only;
         node.keys = shared.keys;
+        node.rules = shared.rules;
         node.variant_key = shared.variant_key;
         for (const SchemaNode* form : shared.variants) {
             if (only.empty() || std::find(only.begin(), only.end(), form->key) != only.end())

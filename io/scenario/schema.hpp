@@ -92,7 +92,7 @@ struct Row {
 
 // What several keys of one section must satisfy together.
 struct Rule {
-    enum class Kind { exactly_one, at_most_one, ascending } kind;
+    enum class Kind { exactly_one, at_most_one, at_least_one, ascending } kind;
     std::string where;  // the section's path; "": the whole scenario
     std::vector<std::string> keys;
 };

@@ -94,7 +94,8 @@ void add_rules(Json& schema, const std::vector<const Rule*>& rules) {
             schema["not"] = {{"required", rule->keys}};
             continue;
         }
-        for (const std::string& key : rule->keys) schema["oneOf"].push_back(Json{{"required", Json::array({key})}});
+        const char* const some = rule->kind == Rule::Kind::exactly_one ? "oneOf" : "anyOf";
+        for (const std::string& key : rule->keys) schema[some].push_back(Json{{"required", Json::array({key})}});
     }
 }
 

@@ -40,11 +40,13 @@ inline constexpr Range between(double lower, double upper) {
 // The parts, in the order of the reference page.
 std::vector<Row> run();        // what is not below: version, time, gravity, solver, correction
 std::vector<Row> materials();  // and pairs
+std::vector<Row> shapes();
 std::vector<Row> bodies();
+std::vector<Row> blocks();  // generators of many polyhedra
 std::vector<Row> walls();
 std::vector<Row> flows();  // outlets and inlets
 std::vector<Row> measures();
 std::vector<Row> output();
-std::vector<Row> shared();  // SIZE and REGION
+std::vector<Row> shared();  // SIZE, REGION and ORIENTATION
 
 }  // namespace scree::io::rows

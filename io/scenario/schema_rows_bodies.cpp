@@ -26,14 +26,38 @@ std::vector<Row> bodies() {
             .or_else("twice `radius`")
             .says("Diameter; this or `radius`."),
 
+        variant("bodies[polyhedron]").says("One polyhedron."),
+        text("bodies[polyhedron].shape").required().naming("shapes").says("Its shape."),
+        text("bodies[polyhedron].material")
+            .required()
+            .naming("materials")
+            .says("Its material: density, and the laws of its contacts."),
+        vector("bodies[polyhedron].position", length)
+            .required()
+            .says("Where its centre of mass is at time 0; with `placed_by: origin` the origin of its shape's frame."),
+        choice("bodies[polyhedron].placed_by", {"centre_of_mass", "origin"})
+            .standardly("centre_of_mass")
+            .says("The point of the shape that `position` names, and that `orientation` turns it about. `origin`: that "
+                  "of the frame in which the shape's points are given, so that position [0, 0, 0] leaves them where "
+                  "they are."),
+        number("bodies[polyhedron].scale")
+            .standardly("1")
+            .in(kPositive)
+            .says("Makes it so many times as large as its shape."),
+        number("bodies[polyhedron].diameter", length)
+            .in(kPositive)
+            .or_else("the shape's own size, times `scale`")
+            .says("Diameter of the ball of equal volume that it shall have."),
+
         variant("bodies[lattice]")
             .says("Bodies on a grid: x runs fastest, then y, then z. The cheapest way to many bodies; let them fall to "
                   "lose the order."),
         text("bodies[lattice].material").required().naming("materials").says("Their material."),
         section("bodies[lattice].size")
-            .required()
+            .or_else("the size of `shape`")
             .like("SIZE")
-            .says("Their sizes. Diameters larger than the pitch make neighbours overlap, which is an error."),
+            .says("Their sizes; needed unless there is a `shape`. Diameters larger than the pitch make neighbours "
+                  "overlap, which is an error."),
         vector("bodies[lattice].corner", length).required().says("Centre of the first body, before jitter."),
         row(Kind::number_or_vector, "bodies[lattice].pitch", length)
             .required()
@@ -63,7 +87,10 @@ std::vector<Row> bodies() {
 
         variant("bodies[random]").says("Bodies at random places that do not overlap, put in one after the other."),
         text("bodies[random].material").required().naming("materials").says("Their material."),
-        section("bodies[random].size").required().like("SIZE").says("Their sizes."),
+        section("bodies[random].size")
+            .or_else("the size of `shape`")
+            .like("SIZE")
+            .says("Their sizes; needed unless there is a `shape`."),
         section("bodies[random].region")
             .required()
             .like("REGION")
@@ -96,12 +123,13 @@ std::vector<Row> bodies() {
             .required()
             .naming_file()
             .says("The file; a relative path starts at the folder of the scenario that names it."),
-        choices("bodies[file].columns",
-                {"x", "y", "z", "r", "d", "vx", "vy", "vz", "wx", "wy", "wz", "material", "skip"})
+        choices("bodies[file].columns", {"x", "y", "z", "r", "d", "vx", "vy", "vz", "wx", "wy", "wz", "qw", "qx", "qy",
+                                         "qz", "material", "shape", "skip"})
             .standardly("[x, y, z, r]")
-            .says("What the columns hold: position, radius r or diameter d, velocity, angular velocity, the material's "
-                  "name; `skip` "
-                  "passes over a column. SI, before `scale`."),
+            .says(
+                "What the columns hold: position, radius r or diameter d (of polyhedra: of the ball of equal volume), "
+                "velocity, angular velocity, orientation as a quaternion, the names of material and shape; `skip` "
+                "passes over a column. SI, before `scale`."),
         text("bodies[file].material")
             .naming("materials")
             .or_else("a column says it")
@@ -112,7 +140,28 @@ std::vector<Row> bodies() {
             .says("Multiplies positions and sizes, not velocities: 0.001 reads millimetres."),
         vector("bodies[file].offset", length).standardly("[0, 0, 0]").says("Added to each position, after `scale`."),
     };
-    for (const char* generator : {"sphere", "lattice", "random"}) {
+    for (const char* generator : {"lattice", "random", "file"}) {
+        const std::string path = std::string("bodies[") + generator + "].";
+        rows.push_back(text(path + "shape")
+                           .naming("shapes")
+                           .or_else(path == "bodies[file]." ? "a column says it, or they are spheres" : "spheres")
+                           .says("Their shape. Sizes are then diameters of the ball of equal volume."));
+    }
+    for (const char* generator : {"polyhedron", "lattice", "random", "file"}) {
+        rows.push_back(section(std::string("bodies[") + generator + "].orientation")
+                           .like("ORIENTATION")
+                           .or_else("that of the shape's own frame")
+                           .says("How polyhedra are turned about their centres of mass."));
+    }
+    for (const char* generator : {"lattice", "random"}) {
+        rows.push_back(integer(std::string("bodies[") + generator + "].size_classes")
+                           .standardly("20")
+                           .in(between(1, 10000))
+                           .says("Polyhedra get one of so many sizes, evenly spaced in the logarithm over the range of "
+                                 "`size`, the nearest to what was drawn. Each is a shape in memory. No meaning for "
+                                 "spheres."));
+    }
+    for (const char* generator : {"sphere", "polyhedron", "lattice", "random"}) {
         const std::string path = std::string("bodies[") + generator + "].";
         rows.push_back(vector(path + "velocity", velocity).standardly("[0, 0, 0]").says("Velocity at time 0."));
         rows.push_back(vector(path + "spin", angular_velocity)

@@ -112,6 +112,21 @@ std::vector<Row> shared() {
             .says("Rows of diameter and the share by number of bodies that are not larger, rising from 0 to 1; linear "
                   "between rows."),
 
+        section("ORIENTATION").says("How bodies are turned from the frame that their shape is given in."),
+        listing(Kind::numbers, "ORIENTATION.quaternion", 4)
+            .or_else("another key says it")
+            .says("The unit quaternion [w, x, y, z] of the rotation."),
+        direction("ORIENTATION.axis")
+            .or_else("another key says it")
+            .says("Axis of the rotation by `angle`, right-handed; its length does not matter."),
+        number("ORIENTATION.angle", angle).standardly("0").says("Angle about `axis`; no meaning without it."),
+        vector("ORIENTATION.euler", angle)
+            .or_else("another key says it")
+            .says("Angles [x, y, z] about the fixed axes, first about x, then y, then z: roll, pitch and yaw."),
+        boolean("ORIENTATION.random")
+            .or_else("another key says it")
+            .says("true: each body is turned at random, every orientation equally likely."),
+
         section("REGION").picked_by("shape").says("A part of space."),
         variant("REGION[box]").says("A box with edges along the axes."),
         vector("REGION[box].lower", length).required().says("The corner with the smallest coordinates."),

@@ -20,12 +20,13 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-Polyhedron read_file(const std::string& path) {
+std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw IoError(fmt::format("{}: cannot be opened for reading", path));
-    MeshBytes bytes{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
+    std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (file.bad() || std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
-    return parse_mesh(bytes);
+    return bytes;
+}
 }
 
 // How many pairs of triangles cross, for a mesh that passed edges_of.
@@ -67,7 +68,12 @@ PlacedShape convex_body(const Polyhedron& body) {
 }  // namespace
 
 PlacedShape read_mesh(const std::string& path, const MeshOptions& options) {
-    Polyhedron body = read_file(path);
+    check_mesh_name(path);  // before the file is opened
+    return read_mesh_bytes(path, bytes_of(path), options);
+}
+
+PlacedShape read_mesh_bytes(const std::string& path, const std::string& bytes, const MeshOptions& options) {
+    Polyhedron body = parse_mesh({path, bytes});
     for (Vec3& x : body.vertex) x *= options.scale;
     join_equal_vertices(body);
     try {

@@ -19,5 +19,7 @@ struct MeshOptions {
 
 // A file that cannot be read is an IoError, a mesh that is no body a ShapeError; both begin with `path`.
 PlacedShape read_mesh(const std::string& path, const MeshOptions& options = {});
+// The same of a file's bytes, `path` for messages and for the kind of file that its end names.
+PlacedShape read_mesh_bytes(const std::string& path, const std::string& bytes, const MeshOptions& options = {});
 
 }  // namespace scree::scenarios

@@ -22,6 +22,7 @@ Polyhedron read_ply(const MeshBytes& file);  // text or binary, of either byte o
 
 // By the name's ending; a fault if it is none of these.
 Polyhedron parse_mesh(const MeshBytes& file);
+void check_mesh_name(const std::string& path);  // throws that fault
 // Vertices at the very same place become one: STL repeats them for each triangle, OBJ where normals differ.
 void join_equal_vertices(Polyhedron& body);
 

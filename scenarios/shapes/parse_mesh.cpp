@@ -15,10 +15,8 @@ namespace {
 constexpr std::array<std::pair<const char*, Polyhedron (*)(const MeshBytes&)>, 4> kFormats = {
     {{".off", read_off}, {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}}};
 
-}  // namespace
-
-Polyhedron parse_mesh(const MeshBytes& file) {
-    std::string ending = std::filesystem::path(file.path).extension().string();
+auto format_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const auto format =
         std::find_if(kFormats.begin(), kFormats.end(), [&](const auto& f) { return f.first == ending; });
@@ -26,8 +24,18 @@ Polyhedron parse_mesh(const MeshBytes& file) {
         throw IoError(
             fmt::format("{}: what kind of mesh it is cannot be told; a name that ends in .off, .obj, .stl or .ply "
                         "is expected",
-                        file.path));
-    return format->second(file);
+                        path));
+    return format->second;
+}
+
+}  // namespace
+
+void check_mesh_name(const std::string& path) {
+    format_of(path);
+}
+
+Polyhedron parse_mesh(const MeshBytes& file) {
+    return format_of(file.path)(file);
 }
 
 void join_equal_vertices(Polyhedron& body) {

@@ -32,16 +32,26 @@ void expect_parts_of(const State& whole, const State& part, const Communicator& 
         EXPECT_EQ(a.position[k], b.position[i]);
         EXPECT_EQ(a.velocity[k], b.velocity[i]);
         EXPECT_TRUE(!b.has_spin() || a.spin[k] == b.spin[i]);
+        EXPECT_TRUE(!b.has_shapes() || a.shape[k] == b.shape[i]);
+        EXPECT_TRUE(!b.has_shapes() || a.inertia[k] == b.inertia[i]);
+        EXPECT_TRUE(!b.has_orientation() || a.orientation[k].coeffs() == b.orientation[i].coeffs());
     }
     EXPECT_EQ(ranks.sum(static_cast<std::uint64_t>(b.size())), a.size());
     EXPECT_EQ(ranks.sum(id_sum), expected_sum);
     EXPECT_EQ(whole.next_id, part.next_id);
     EXPECT_EQ(ranks.any(b.has_spin()), a.has_spin());
+    EXPECT_EQ(ranks.any(b.has_shapes()), a.has_shapes());
+    ASSERT_EQ(whole.shapes.size(), part.shapes.size());
+    for (std::size_t s = 0; s < whole.shapes.size(); ++s) {
+        EXPECT_EQ(whole.shapes[s].vertex, part.shapes[s].vertex);
+        EXPECT_EQ(whole.shapes[s].volume, part.shapes[s].volume);
+    }
 }
 
-void expect_same_on_all_ranks(const std::string& bodies, const std::string& folder = ".") {
+void expect_same_on_all_ranks(const std::string& bodies, const std::string& folder = ".",
+                              const std::string& shapes = "") {
     const Communicator ranks = Communicator::world();
-    const std::string text = testing::kHead + "bodies:\n" + bodies;
+    const std::string text = testing::kHead + shapes + "bodies:\n" + bodies;
     const testing::Result whole = build_on(text, folder, Communicator::self());
     const testing::Result part = build_on(text, folder, ranks);
     EXPECT_EQ(whole.errors, part.errors);
@@ -97,6 +107,69 @@ TEST(Parts, Files) {
     if (ranks.root()) folder.write("bed.txt", lines + "1 2 3\n1 2 x 3\n");
     ranks.barrier();
     expect_same_on_all_ranks(file, path);
+    ranks.barrier();
+}
+
+const std::string kShapes =
+    "shapes:\n"
+    "  - {name: stone, kind: rock, diameter: 0.1, variants: 6}\n"
+    "  - {name: brick, kind: box, size: [0.15, 0.1, 0.05]}\n";
+
+TEST(Parts, Polyhedra) {
+    const std::string one =
+        "  - {generator: polyhedron, shape: stone, material: steel, position: [5, 5, 5], "
+        "orientation: {random: true}, scale: 1.5}\n";
+    const std::string random = "  - {generator: random, material: steel, " + kSize +
+                               ", count: 60, region: {shape: box, lower: [0, 0, 2], upper: [2, 2, 4]}, shape: brick, "
+                               "orientation: {random: true}}\n";
+    const std::string stones = lattice("cells: [7, 5, 3], shape: stone, orientation: {random: true}");
+    expect_same_on_all_ranks(stones, ".", kShapes);
+    expect_same_on_all_ranks(one + stones + one + random + lattice("cells: [3, 3, 3]") + one, ".", kShapes);
+    // two bodies of 6 x 20 possible shapes, on different ranks
+    expect_same_on_all_ranks(lattice("cells: [2, 1, 1], shape: stone"), ".", kShapes);
+}
+
+TEST(Parts, Blocks) {
+    const std::string voronoi =
+        "  - {generator: voronoi, material: glass, region: {shape: box, lower: [0, 0, 0], upper: [1, 1, 1]}, count: "
+        "23}\n";
+    const std::string rock =
+        "  - {generator: rock_mass, material: glass, region: {shape: box, lower: [0, 0, 5], upper: [1, 1, 6]}, gap: 1 "
+        "mm, "
+        "joints: [{dip: 40 deg, spacing: 0.3, angle_scatter: 3 deg}, {dip: 80 deg, dip_direction: 70 deg, spacing: "
+        "0.2}]}\n";
+    const std::string wall =
+        "  - {generator: wall_of_blocks, material: glass, corner: [0, 9, 0], rows: 5, columns: 7, size: [0.4, 0.2, "
+        "0.2]}\n";
+    const std::string arch =
+        "  - {generator: arch, material: steel, centre: [0, 0, 20], count: 4, radius: 3, thickness: 0.5, depth: 1, "
+        "spin: "
+        "[0, 0, 1]}\n";
+    expect_same_on_all_ranks(voronoi + rock + wall + arch);
+    expect_same_on_all_ranks(arch + lattice("cells: [3, 3, 3], shape: stone") + rock, ".", kShapes);
+}
+
+TEST(Parts, FilesOfPolyhedra) {
+    const Communicator ranks = Communicator::world();
+    const testing::TemporaryFolder folder;
+    std::string lines;
+    for (int i = 0; i < 300; ++i)
+        lines += std::to_string(i % 10) + " " + std::to_string(i / 10) + " 0 " + (i % 3 == 0 ? "brick" : "stone") +
+                 (i % 4 == 0 ? " 0.1\n" : " 0.2\n");
+    folder.write("bed.txt", lines);
+    folder.write("wedge.off", "OFF\n4 4 0\n0 0 0\n0.2 0 0\n0 0.1 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    folder.write("open.off", "OFF\n4 1 0\n0 0 0\n0.2 0 0\n0 0.1 0\n0 0 0.1\n3 0 2 1\n");
+    std::string path = folder.path();
+    ranks.broadcast(path);  // only rank 0 reads, and the others have no such files
+    const std::string file =
+        "  - {generator: file, material: glass, path: bed.txt, columns: [x, y, z, shape, d], "
+        "orientation: {random: true}}\n";
+    expect_same_on_all_ranks(file + file, path, kShapes);
+    expect_same_on_all_ranks(lattice("cells: [3, 3, 3], shape: wedge"), path,
+                             "shapes:\n  - {name: wedge, kind: file, path: wedge.off}\n");
+    for (const char* wrong : {"open.off", "none.off"})
+        expect_same_on_all_ranks(lattice("cells: [3, 3, 3], shape: wedge"), path,
+                                 std::string("shapes:\n  - {name: wedge, kind: file, path: ") + wrong + "}\n");
     ranks.barrier();
 }
 
