@@ -27,7 +27,6 @@ std::string bytes_of(const std::string& path) {
     if (file.bad() || std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
     return bytes;
 }
-}
 
 // How many pairs of triangles cross, for a mesh that passed edges_of.
 std::size_t crossings(const Polyhedron& body) {
