@@ -84,7 +84,7 @@ void SingleProblem<Law>::load(const Sweeps<Law, double>& full, const Layout& lay
     arrange(layout);
     unit_.velocity = std::ldexp(1.0, std::ilogb(v_ref));
     unit_.inverse_mass = std::ldexp(1.0, (std::ilogb(extremes.lightest) - std::ilogb(extremes.heaviest)) >> 1);
-    unit_.length = std::ldexp(1.0, std::ilogb(extremes.lever));
+    if (extremes.lever > 0.0) unit_.length = std::ldexp(1.0, std::ilogb(extremes.lever));
 
     sweeps.line.resize(full.line.size());
     for (std::size_t i = 0; i < full.line.size(); ++i) to_single(sweeps.line[i], full.line[i], unit_);

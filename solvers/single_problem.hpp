@@ -20,10 +20,10 @@ namespace scree::solvers {
 // The largest numbers of a contact problem, over all ranks.
 struct Extremes {
     double fastest = 0.0;   // [m/s] of v and w, of bodies with contacts
-    double lightest = 0.0;  // [1/kg] largest inverse mass
+    double lightest = 0.0;  // [1/kg] largest inverse mass, or inverse inertia times lever squared
     double heaviest = 0.0;  // [kg] largest mass
     double friction = 0.0;
-    double lever = 1.0;  // [m] longest, from a centre of mass to a contact, of bodies that are not spheres
+    double lever = 0.0;  // [m] of bodies that are not spheres: longest, from a centre of mass to a contact
 };
 
 // Single precision cannot be what limits the solution: its round-off in velocities lies far below what the tolerance

@@ -3,10 +3,11 @@
 
 #include <array>
 
-#include "solvers/single_problem.hpp"
+#include "solvers/gauss_seidel.hpp"
 #include "tests/testing/rigid_bed.hpp"
 #include "tests/testing/rigid_contacts.hpp"
 #include "tests/testing/solver_case.hpp"
+#include "tests/testing/some_rotation.hpp"
 
 namespace scree::solvers {
 namespace {
@@ -157,6 +158,67 @@ TEST(RigidSingle, ASweepIsThatInDoublePrecision) {
         expect_the_same_sweep<RigidFrictional>(k);
         expect_the_same_sweep<RigidFrictionless>(k);
     }
+}
+
+// The contact problem of a bed of ellipsoids, solved in single precision and then checked, or finished, in double.
+template <class Law>
+void expect_the_solution() {
+    testing::SmallScene w(1e-3, Law::kImpulse == 3 ? 0.4 : 0.0);
+    Random random(7, 1, 0);
+    const auto vector = [&] { return Vec3(random.normal(), random.normal(), random.normal()); };
+    Bodies& bodies = w.state.bodies;
+    for (int i = 0; i < 6 * 12 * 12; ++i) {
+        const double radius = random.uniform(0.0101, 0.0104);
+        w.add(0.02 * Vec3(i % 12, i / 12 % 12, 0.5 + i / 144), radius, 0.02 * vector());
+        bodies.spin.push_back(0.02 / radius * vector());
+        bodies.orientation.push_back(testing::some_rotation(static_cast<std::uint64_t>(i)));
+        bodies.inertia.push_back(bodies.mass.back() * radius * radius * Vec3(0.2, 0.272, 0.328));
+    }
+    w.add_floor();
+    const contact::ContactSet contacts = testing::contacts_of(w);
+    std::vector<Vec3> points;
+    for (const contact::Contact& c : contacts)
+        points.push_back(bodies.position[c.a] - 0.01 * c.normal + 0.003 * vector());
+    Layout layout;
+    layout.arrange(contacts, bodies, choose_block_size(bodies));
+    const auto solved = [&](SolverPrecision precision, double tolerance, ContactProblem<Law>& problem) {
+        const Vec3 dv(0.0, 0.0, -9.81e-3);
+        problem.assemble(contacts, layout, w.state, dv, {}, points);
+        problem.scale(dv.norm());
+        SolverSettings s;
+        s.precision = precision;
+        s.tolerance = tolerance;
+        s.max_sweeps = 5000;
+        EXPECT_EQ(problem.begin_single(s), precision == SolverPrecision::mixed);
+        return gauss_seidel(problem, s);
+    };
+    ContactProblem<Law> exact;
+    ASSERT_TRUE(solved(SolverPrecision::full, 1e-6, exact).converged);
+    const auto error = [&](const ContactProblem<Law>& problem) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            for (int d = 0; d < 3; ++d) {
+                const double v = problem.line_of(i).v[d] - exact.line_of(i).v[d];
+                const double turn = bodies.radius[i] * (problem.line_of(i).w[d] - exact.line_of(i).w[d]);
+                sum += v * v + turn * turn;
+            }
+        return std::sqrt(sum / static_cast<double>(bodies.size()));
+    };
+    for (const double tolerance : {1e-2, 1e-3}) {
+        ContactProblem<Law> in_double, mixed;
+        solved(SolverPrecision::full, tolerance, in_double);
+        const SolveReport report = solved(SolverPrecision::mixed, tolerance, mixed);
+        EXPECT_TRUE(report.converged);
+        EXPECT_LE(report.residual.rms, tolerance);
+        EXPECT_FALSE(mixed.single());
+        EXPECT_EQ(mixed.residual().rms, report.residual.rms);
+        EXPECT_NE(mixed.line_of(0).v[0], in_double.line_of(0).v[0]);
+        EXPECT_LT(error(mixed), 1.5 * error(in_double));
+    }
+}
+TEST(RigidSingle, TheSolutionIsThatInDoublePrecision) {
+    expect_the_solution<RigidFrictional>();
+    expect_the_solution<RigidFrictionless>();
 }
 
 }  // namespace
