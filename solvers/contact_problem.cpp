@@ -101,21 +101,30 @@ void ContactProblem<Law>::scale(double floor) {
         double here = 0.0;
         for (const double v : line.v) here = std::max(here, std::abs(v));
         fastest = std::max(fastest, here);
-        if constexpr (Law::kRigid) continue;
         if (i > layout_->touched_lines() && i <= bodies_) continue;  // no contact
-        if constexpr (Law::kImpulse == 3)
+        if constexpr (Law::kImpulse == 3 && !Law::kRigid)
             for (const double w : line.w) here = std::max(here, std::abs(w));
         extremes_.fastest = std::max(extremes_.fastest, here);
         if (line.inverse_mass == 0.0) continue;
         extremes_.lightest = std::max(extremes_.lightest, line.inverse_mass);
         extremes_.heaviest = std::max(extremes_.heaviest, 1.0 / line.inverse_mass);
     }
-    if constexpr (Law::kRigid)
-        for (std::size_t i = 0; i < bodies_; ++i)
-            fastest = std::max(fastest, state_->bodies.radius[i] * state_->bodies.spin[i].norm());
-    std::array<double, 5> most{fastest, extremes_.fastest, extremes_.lightest, extremes_.heaviest, extremes_.friction};
+    if constexpr (Law::kRigid) {  // spins as velocities, and inverse inertias as inverse masses, at the farthest points
+        const Bodies& bodies = state_->bodies;
+        for (std::size_t i = 0; i < bodies_; ++i) {
+            const double radius = bodies.radius[i], here = radius * bodies.spin[i].norm();
+            fastest = std::max(fastest, here);
+            if (layout_->line(i) > layout_->touched_lines()) continue;
+            const Line& line = full_.line[layout_->line(i)];
+            extremes_.fastest = std::max(extremes_.fastest, here);
+            extremes_.lever = std::max(extremes_.lever, radius);
+            for (int d = 0; d < 3; ++d) extremes_.lightest = std::max(extremes_.lightest, radius * radius * line.j[d]);
+        }
+    }
+    std::array<double, 6> most{
+        fastest, extremes_.fastest, extremes_.lightest, extremes_.heaviest, extremes_.friction, extremes_.lever};
     ranks_.max(most);
-    extremes_ = {most[1], most[2], most[3], most[4]};
+    extremes_ = {most[1], most[2], most[3], most[4], most[5]};
     driven_ = sum > 0.0;
     // differences of velocities cannot be told from zero below the round-off of the velocities
     v_ref_ = std::max(floor, kRoundOff * most[0]);
@@ -143,16 +152,14 @@ void ContactProblem<Law>::warm_start(const std::vector<Vec3>& impulse, const std
 
 template <class Law>
 bool ContactProblem<Law>::begin_single(const SolverSettings& settings) {
-    if constexpr (!Law::kRigid) {
-        is_single_ = driven_ && single_is_enough(settings, extremes_, v_ref_);
-        if (is_single_) single_.load(full_, *layout_, extremes_, v_ref_);
-    }
+    is_single_ = driven_ && single_is_enough(settings, extremes_, v_ref_);
+    if (is_single_) single_.load(full_, *layout_, extremes_, v_ref_);
     return is_single_;
 }
 
 template <class Law>
 void ContactProblem<Law>::end_single() {
-    if constexpr (!Law::kRigid) single_.give_impulses(full_);
+    single_.give_impulses(full_);
     is_single_ = false;
     rebuild_lines();
 }
@@ -250,9 +257,7 @@ void ContactProblem<Law>::impulses(std::vector<Vec3>& impulse, std::vector<doubl
 
 template <class Law>
 std::size_t ContactProblem<Law>::bytes() const {
-    std::size_t single = 0;
-    if constexpr (!Law::kRigid) single = single_.bytes();
-    return full_.bytes() + single + line_mean_.capacity() * sizeof(Line);
+    return full_.bytes() + single_.bytes() + line_mean_.capacity() * sizeof(Line);
 }
 
 template class ContactProblem<Frictional>;

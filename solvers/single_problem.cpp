@@ -11,15 +11,6 @@ namespace {
 constexpr double kMargin = 1e3;
 constexpr double kLeastTolerance = 1e-3, kMostMassRatio = 1e6;
 
-template <std::size_t kRows>
-void put(float (&to)[kRows][kLanesSingle], const double (&from)[kRows][kLanes], int lane, double factor) {
-    for (std::size_t d = 0; d < kRows; ++d)
-        for (int i = 0; i < kLanes; ++i) to[d][lane + i] = static_cast<float>(factor * from[d][i]);
-}
-void put(float (&to)[kLanesSingle], const double (&from)[kLanes], int lane, double factor) {
-    for (int i = 0; i < kLanes; ++i) to[lane + i] = static_cast<float>(factor * from[i]);
-}
-
 }  // namespace
 
 bool single_is_enough(const SolverSettings& settings, const Extremes& extremes, double v_ref) {
@@ -91,40 +82,20 @@ template <class Law>
 void SingleProblem<Law>::load(const Sweeps<Law, double>& full, const Layout& layout, const Extremes& extremes,
                               double v_ref) {
     arrange(layout);
-    velocity_unit_ = std::ldexp(1.0, std::ilogb(v_ref));
-    inverse_mass_unit_ = std::ldexp(1.0, (std::ilogb(extremes.lightest) - std::ilogb(extremes.heaviest)) >> 1);
-    const double to_velocity = 1.0 / velocity_unit_, to_inverse_mass = 1.0 / inverse_mass_unit_;
+    unit_.velocity = std::ldexp(1.0, std::ilogb(v_ref));
+    unit_.inverse_mass = std::ldexp(1.0, (std::ilogb(extremes.lightest) - std::ilogb(extremes.heaviest)) >> 1);
+    if (extremes.lever > 0.0) unit_.length = std::ldexp(1.0, std::ilogb(extremes.lever));
 
     sweeps.line.resize(full.line.size());
-    for (std::size_t i = 0; i < full.line.size(); ++i) {
-        const auto& from = full.line[i];
-        auto& to = sweeps.line[i];
-        for (int d = 0; d < 3; ++d) to.v[d] = static_cast<float>(to_velocity * from.v[d]);
-        to.inverse_mass = static_cast<float>(to_inverse_mass * from.inverse_mass);
-        if constexpr (Law::kImpulse == 3) {
-            for (int d = 0; d < 3; ++d) to.w[d] = static_cast<float>(to_velocity * from.w[d]);
-            to.inverse_inertia = static_cast<float>(to_inverse_mass * from.inverse_inertia);
-        }
-    }
-    for (const Place& place : places_) {
-        const int lane = place.half * kLanes;
-        for (std::uint32_t k = place.from; k < place.to; ++k) {
-            const auto& from = full.batch[k];
-            auto& to = sweeps.batch[place.at + (k - place.from)];
-            std::copy(from.a, from.a + kLanes, to.a + lane);
-            std::copy(from.b, from.b + kLanes, to.b + lane);
-            put(to.n, from.n, lane, 1.0);
-            put(to.bias, from.bias, lane, to_velocity);
-            put(to.inverse_w, from.inverse_w, lane, inverse_mass_unit_);
-            if constexpr (Law::kImpulse == 3) put(to.friction, from.friction, lane, 1.0);
-            put(to.p, from.p, lane, to_velocity * inverse_mass_unit_);
-        }
-    }
+    for (std::size_t i = 0; i < full.line.size(); ++i) to_single(sweeps.line[i], full.line[i], unit_);
+    for (const Place& place : places_)
+        for (std::uint32_t k = place.from; k < place.to; ++k)
+            to_single(sweeps.batch[place.at + (k - place.from)], full.batch[k], place.half * kLanes, unit_);
 }
 
 template <class Law>
 void SingleProblem<Law>::give_impulses(Sweeps<Law, double>& full) const {
-    const double unit = velocity_unit_ / inverse_mass_unit_;
+    const double unit = unit_.impulse();
     for (const Place& place : places_)
         for (std::uint32_t k = place.from; k < place.to; ++k) {
             const auto& from = sweeps.batch[place.at + (k - place.from)];
@@ -143,5 +114,7 @@ std::size_t SingleProblem<Law>::bytes() const {
 
 template class SingleProblem<Frictional>;
 template class SingleProblem<Frictionless>;
+template class SingleProblem<RigidFrictional>;
+template class SingleProblem<RigidFrictionless>;
 
 }  // namespace scree::solvers

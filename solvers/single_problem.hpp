@@ -2,8 +2,9 @@
 // kernel. Blocks of a colour share no moving body, so the sixteen lanes of a batch hold a batch of one block and a
 // batch of another, and the result is the one that the blocks would give one after the other.
 //
-// Units: velocities in the power of two at v_ref, inverse masses in a power of two in the middle of the scene's,
-// impulses accordingly: numbers of order 1 whatever the lengths and densities of a scene, and scaled without round-off.
+// Units: velocities in the power of two at v_ref, inverse masses in a power of two in the middle of the scene's, levers
+// in that of the longest, impulses accordingly: numbers of order 1 whatever the lengths and densities of a scene, and
+// scaled without round-off.
 #pragma once
 
 #include <array>
@@ -12,15 +13,17 @@
 
 #include "core/settings.hpp"
 #include "solvers/sweeps.hpp"
+#include "solvers/to_single.hpp"
 
 namespace scree::solvers {
 
 // The largest numbers of a contact problem, over all ranks.
 struct Extremes {
     double fastest = 0.0;   // [m/s] of v and w, of bodies with contacts
-    double lightest = 0.0;  // [1/kg] largest inverse mass
+    double lightest = 0.0;  // [1/kg] largest inverse mass, or inverse inertia times lever squared
     double heaviest = 0.0;  // [kg] largest mass
     double friction = 0.0;
+    double lever = 0.0;  // [m] of bodies that are not spheres: longest, from a centre of mass to a contact
 };
 
 // Single precision cannot be what limits the solution: its round-off in velocities lies far below what the tolerance
@@ -37,7 +40,7 @@ class SingleProblem {
     // The impulses, in their cones.
     void give_impulses(Sweeps<Law, double>& full) const;
 
-    double velocity_unit() const { return velocity_unit_; }  // [m/s]
+    double velocity_unit() const { return unit_.velocity; }  // [m/s]
     // The order of work, as a Layout gives it for doubles: runs of batches, at whose ends the sum of one of the two
     // blocks, or of both, is complete.
     struct Run {
@@ -58,7 +61,7 @@ class SingleProblem {
     void deal(const Layout& layout, std::uint32_t from, std::uint32_t to, std::array<std::uint32_t, 2>& next);
     void join_runs(std::size_t first, std::uint32_t at);
 
-    double velocity_unit_ = 1.0, inverse_mass_unit_ = 1.0;  // [m/s], [1/kg]
+    SingleUnits unit_;
     std::vector<Place> places_;
     std::vector<Run> runs_;
     std::array<Layout::PhaseBlocks, kPhases> phase_;
@@ -67,5 +70,7 @@ class SingleProblem {
 
 extern template class SingleProblem<Frictional>;
 extern template class SingleProblem<Frictionless>;
+extern template class SingleProblem<RigidFrictional>;
+extern template class SingleProblem<RigidFrictionless>;
 
 }  // namespace scree::solvers

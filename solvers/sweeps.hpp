@@ -11,6 +11,7 @@
 #include "solvers/kernels.hpp"
 #include "solvers/layout.hpp"
 #include "solvers/line_exchange.hpp"
+#include "solvers/rigid_kernels.hpp"
 
 namespace scree::solvers {
 
@@ -43,11 +44,17 @@ struct Sweeps {
     struct Impulse {
         alignas(64) Real p[Law::kImpulse][Numbers::kLanes];
     };
+    // What a sweep changes of a line: its first numbers, or all; masses do not change, but lie among them.
+    static constexpr std::size_t kLineNumbers = sizeof(Line) / sizeof(Real);
+    static constexpr std::size_t kChanged = Law::kRigid ? 8 : kLineNumbers;
+    struct alignas(kChanged * sizeof(Real)) Changed {
+        Real x[kChanged];
+    };
 
     LineVector<Line> line;  // ground, bodies, moving-wall contacts
     LineVector<Batch> batch;
-    LineVector<Impulse> previous;    // momentum: impulses before the last sweep; empty without acceleration
-    LineVector<Line> line_previous;  // and the lines that belong to them
+    LineVector<Impulse> previous;       // momentum: impulses before the last sweep; empty without acceleration
+    LineVector<Changed> line_previous;  // and the lines that belong to them
 
     // Calls work(from, to) for runs of blocks, phase by phase. Blocks at a border come first in each phase: their
     // results travel while the others are worked on. `order` is a Layout or made from one.
@@ -91,7 +98,8 @@ struct Sweeps {
         previous.resize(batch.size());
         for (std::size_t k = 0; k < batch.size(); ++k)
             for (int d = 0; d < Law::kImpulse; ++d) Numbers::load(batch[k].p[d]).store(previous[k].p[d]);
-        line_previous = line;
+        line_previous.resize(line.size());
+        for (std::size_t k = 0; k < line.size(); ++k) std::copy_n(line[k].v, kChanged, line_previous[k].x);
     }
 
     // One sweep, to be completed; `moving` lines, from line 1 on, are those of bodies with contacts. Adds |W_N r|^2 of
@@ -127,25 +135,30 @@ struct Sweeps {
     }
 
     std::size_t bytes() const {
-        return (line.capacity() + line_previous.capacity()) * sizeof(Line) + batch.capacity() * sizeof(Batch) +
-               previous.capacity() * sizeof(Impulse);
+        return line.capacity() * sizeof(Line) + line_previous.capacity() * sizeof(Changed) +
+               batch.capacity() * sizeof(Batch) + previous.capacity() * sizeof(Impulse);
     }
 
   private:
     // The lines of a later batch on their way while this one is solved.
     void fetch(std::size_t k) const {
         if (k >= batch.size()) return;
-        for (int i = 0; i < Numbers::kLanes; ++i) {
-            __builtin_prefetch(line.data() + batch[k].a[i], 1);
-            __builtin_prefetch(line.data() + batch[k].b[i], 1);
-        }
+        for (int i = 0; i < Numbers::kLanes; ++i)
+            for (const Line* of : {line.data() + batch[k].a[i], line.data() + batch[k].b[i]}) {
+                __builtin_prefetch(of, 1);
+                if constexpr (sizeof(Line) > 64) __builtin_prefetch(of->j);
+            }
     }
-    // now + beta (now - previous), and previous = now, over whole lines as flat numbers: masses do not change, so their
+    // now + beta (now - previous), and previous = now, over lines as flat numbers: masses do not change, so their
     // difference is zero and they stay as they are.
     void extrapolate(std::size_t lines, Real beta) {
-        Real* now = line[1].v;
-        Real* before = line_previous[1].v;
-        for (std::size_t i = 0; i < lines * (sizeof(Line) / sizeof(Real)); ++i) {
+        if constexpr (kChanged == kLineNumbers)
+            extrapolate(line[1].v, line_previous[1].x, lines * kLineNumbers, beta);
+        else
+            for (std::size_t k = 1; k <= lines; ++k) extrapolate(line[k].v, line_previous[k].x, kChanged, beta);
+    }
+    static void extrapolate(Real* now, Real* before, std::size_t numbers, Real beta) {
+        for (std::size_t i = 0; i < numbers; ++i) {
             const Real x = now[i];
             now[i] = x + beta * (x - before[i]);
             before[i] = x;
