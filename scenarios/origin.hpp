@@ -7,10 +7,12 @@
 
 #include "scenarios/body_file.hpp"
 #include "scenarios/context.hpp"
+#include "scenarios/point_file.hpp"
 
 namespace scree::scenarios {
 
-// `files`: the bodies of each `generator: file`.
-Vec3 choose_origin(const io::Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files);
+// `files`, `points`: the bodies of each `generator: file` and `generator: hulls`.
+Vec3 choose_origin(const io::Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files,
+                   const std::vector<PointFile>& points);
 
 }  // namespace scree::scenarios
