@@ -10,5 +10,6 @@ add_custom_target(scree_version BYPRODUCTS ${SCREE_VERSION_DIR}/core/version.hpp
     -D "VERSION=${PROJECT_VERSION}" -D "BUILD_TYPE=${CMAKE_BUILD_TYPE}"
     -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" -D "FLAGS=${SCREE_ALL_FLAGS}"
     -D "EIGEN=${Eigen3_VERSION}" -D "HDF5=${HDF5_VERSION}" -D "YAML=${yaml-cpp_VERSION}" -D "MPI=${MPI_C_VERSION}"
+    -D "CGAL=${CGAL_VERSION}"
     -P ${PROJECT_SOURCE_DIR}/cmake/write_version.cmake
   COMMENT "Version" VERBATIM)

@@ -23,6 +23,7 @@ inline constexpr const char* kEigen = \"${EIGEN}\";
 inline constexpr const char* kHdf5 = \"${HDF5}\";
 inline constexpr const char* kYamlCpp = \"${YAML}\";
 inline constexpr const char* kMpi = \"${MPI}\";
+inline constexpr const char* kCgal = \"${CGAL}\";
 }  // namespace scree::version
 ")
 if(EXISTS ${OUTPUT})

@@ -12,6 +12,7 @@
 #include "scenarios/measures.hpp"
 #include "scenarios/named_shapes.hpp"
 #include "scenarios/origin.hpp"
+#include "scenarios/point_file.hpp"
 #include "scenarios/settings.hpp"
 #include "scenarios/walls.hpp"
 
@@ -27,13 +28,20 @@ std::size_t made_whole(const io::Node& scenario) {
     return whole;
 }
 
-std::vector<BodyFile> read_body_files(const io::Node& scenario, const Context& context, const Communicator& ranks) {
-    std::vector<BodyFile> files;
+// What the files of the scenario's bodies hold, in the order of the list.
+struct InputFiles {
+    std::vector<BodyFile> bodies;
+    std::vector<PointFile> points;
+};
+
+InputFiles read_files(const io::Node& scenario, const Context& context, const Communicator& ranks) {
+    InputFiles files;
     const io::Node::List& items = items_of(scenario, "bodies");
     const std::size_t whole = made_whole(scenario);
     for (std::size_t i = 0; i < items.size(); ++i) {
-        if (items[i].text("generator") == "file")
-            files.push_back(read_body_file(items[i], i, context, ranks, i < whole));
+        const std::string& generator = items[i].text("generator");
+        if (generator == "file") files.bodies.push_back(read_body_file(items[i], i, context, ranks, i < whole));
+        if (generator == "hulls") files.points.push_back(read_point_file(items[i], context, ranks));
     }
     return files;
 }
@@ -77,11 +85,12 @@ void keep_part(const Communicator& ranks, BodyList& bodies) {
     keep(part, bodies.orientation);
 }
 
-BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, const Context& context,
-                  const Scene& scene, const Communicator& ranks) {
+BodyList generate(const io::Node& scenario, const InputFiles& files, const Context& context, const Scene& scene,
+                  const Communicator& ranks) {
     BodyList bodies;
     std::uint64_t stream = 0;
-    auto file = files.begin();
+    auto file = files.bodies.begin();
+    auto points = files.points.begin();
     const std::size_t whole = made_whole(scenario);
     for (const io::Node& node : items_of(scenario, "bodies")) {
         const std::string& generator = node.text("generator");
@@ -96,6 +105,8 @@ BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, 
             generate_voronoi(node, stream, context, sharing, bodies);
         } else if (generator == "rock_mass") {
             generate_rock_mass(node, stream, context, sharing, bodies);
+        } else if (generator == "hulls") {
+            add_hulls(node, *points++, context, sharing, bodies);
         } else if (generator == "wall_of_blocks") {
             generate_wall_of_blocks(node, context, sharing, bodies);
         } else if (generator == "arch") {
@@ -103,7 +114,7 @@ BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, 
         } else if (generator == "random") {
             generate_random(node, stream, context, scene, bodies);
         } else {
-            SCREE_CHECK(generator == "file" && file != files.end());
+            SCREE_CHECK(generator == "file" && file != files.bodies.end());
             add_file_bodies(*file++, context, bodies);
         }
         if (++stream == whole) keep_part(ranks, bodies);
@@ -192,7 +203,8 @@ Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagn
         chosen = *origin;
     } else {
         build_shapes(scenario, ranks, context);
-        chosen = choose_origin(scenario, context.shapes, read_body_files(scenario, context, ranks), terrains);
+        const InputFiles files = read_files(scenario, context, ranks);
+        chosen = choose_origin(scenario, context.shapes, files.bodies, files.points, terrains);
     }
     return build_in_frame(scenario, chosen, std::move(terrains), context, std::move(scene));
 }
@@ -203,10 +215,11 @@ Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics
     Scene scene;
     build_materials(scenario, context, scene);
     build_shapes(scenario, ranks, context);
-    const std::vector<BodyFile> files = read_body_files(scenario, context, ranks);
+    const InputFiles files = read_files(scenario, context, ranks);
     std::vector<TerrainFile> terrains = read_terrains(scenario, context, ranks);
-    const Vec3 origin =
-        scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, context.shapes, files, terrains);
+    const Vec3 origin = scenario.has("origin")
+                            ? scenario.vector("origin")
+                            : choose_origin(scenario, context.shapes, files.bodies, files.points, terrains);
     Built built;
     built.scene = build_in_frame(scenario, origin, std::move(terrains), context, std::move(scene));
     BodyList bodies = generate(scenario, files, context, built.scene, ranks);

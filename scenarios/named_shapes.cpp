@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/polyhedra/manifold.hpp"
 #include "core/errors.hpp"
 #include "scenarios/shapes/convex_hull.hpp"
 #include "scenarios/shapes/mesh_file.hpp"
@@ -120,6 +121,14 @@ double equivalent_diameter(const ConvexShape& shape) {
     return std::cbrt(6.0 * shape.volume / std::numbers::pi);
 }
 
+void check_features(const ConvexShape& shape) {
+    const std::size_t most = std::max(shape.edge.size(), std::max(shape.vertex.size(), shape.face.size()));
+    if (most >= contact::kMostFeatures)
+        throw ShapeError(ShapeFault::bad_face,
+                         fmt::format("has {} edges, faces or vertices, more than a contact can name ({})", most,
+                                     contact::kMostFeatures - 1));
+}
+
 std::string trouble_with(const ConvexShape& shape) {
     const Extent extent = extent_of(shape.vertex);  // along the principal axes
     const Vec3 sides = extent.upper - extent.lower;
@@ -148,6 +157,7 @@ void build_shapes(const Node& scenario, const Communicator& ranks, Context& cont
         try {
             named.variants = variants_of(node, context, ranks);
             for (const PlacedShape& placed : named.variants) {
+                check_features(placed.shape);
                 const std::string trouble = trouble_with(placed.shape);
                 if (trouble.empty()) continue;
                 context.warning(node, fmt::format("shape '{}' {}", named.name, trouble));

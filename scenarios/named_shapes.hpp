@@ -15,6 +15,8 @@ void build_shapes(const io::Node& scenario, const Communicator& ranks, Context& 
 PlacedShape scaled(PlacedShape placed, double factor);
 // Diameter of the ball of equal volume [m].
 double equivalent_diameter(const ConvexShape& shape);
+// A shape with more edges than contacts can name is a ShapeError.
+void check_features(const ConvexShape& shape);
 // What is wrong with a shape that can be: "is a needle, ..."; empty: nothing.
 std::string trouble_with(const ConvexShape& shape);
 

@@ -124,13 +124,18 @@ void add_wall(Box& box, const Node& node) {
 }  // namespace
 
 Vec3 choose_origin(const Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files,
-                   const std::vector<TerrainFile>& terrains) {
+                   const std::vector<PointFile>& points, const std::vector<TerrainFile>& terrains) {
     Box box;
     for (const Node& node : items_of(scenario, "bodies")) add_bodies(box, node, shapes);
     for (const Node& node : items_of(scenario, "inlets")) add_region(box, node.at("region"));
     for (const Node& node : items_of(scenario, "walls")) add_wall(box, node);
     for (const BodyFile& file : files) {
         if (file.bodies == 0) continue;
+        box.add(file.lower);
+        box.add(file.upper);
+    }
+    for (const PointFile& file : points) {
+        if (file.points.empty()) continue;
         box.add(file.lower);
         box.add(file.upper);
     }

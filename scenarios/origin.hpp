@@ -8,12 +8,13 @@
 
 #include "scenarios/body_file.hpp"
 #include "scenarios/context.hpp"
+#include "scenarios/point_file.hpp"
 #include "scenarios/terrain.hpp"
 
 namespace scree::scenarios {
 
-// `files`: the bodies of each `generator: file`; `terrains`: of each wall that is one.
+// `files`, `points`: the bodies of each `generator: file` and `generator: hulls`; `terrains`: of each wall that is one.
 Vec3 choose_origin(const io::Node& scenario, const std::vector<NamedShape>& shapes, const std::vector<BodyFile>& files,
-                   const std::vector<TerrainFile>& terrains);
+                   const std::vector<PointFile>& points, const std::vector<TerrainFile>& terrains);
 
 }  // namespace scree::scenarios

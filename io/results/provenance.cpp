@@ -71,6 +71,7 @@ constexpr TextField kShort[] = {{"creator", &Provenance::creator},
                                 {"eigen_version", &Provenance::eigen_version},
                                 {"yaml_cpp_version", &Provenance::yaml_cpp_version},
                                 {"mpi_version", &Provenance::mpi_version},
+                                {"cgal_version", &Provenance::cgal_version},
                                 {"scenario_name", &Provenance::scenario_name},
                                 {"command_line", &Provenance::command_line},
                                 {"hostname", &Provenance::hostname},
@@ -92,6 +93,7 @@ Provenance make_provenance(const RunDescription& run) {
     p.eigen_version = version::kEigen;
     p.yaml_cpp_version = version::kYamlCpp;
     p.mpi_version = version::kMpi;
+    p.cgal_version = version::kCgal;
     p.scenario_name = run.scenario_name;
     p.scenario_text = run.scenario_text;
     p.scenario_resolved = run.scenario_resolved;
@@ -138,7 +140,11 @@ void write_provenance(const Hdf5Group& root, const Provenance& p) {
 Provenance read_provenance(const Hdf5Group& root) {
     const Hdf5Group group = root.existing_group(kGroup);
     Provenance p;
-    for (const TextField& field : kShort) p.*field.member = group.text_attribute(field.name);
+    for (const TextField& field : kShort) {
+        // files from before there were polyhedra have no word of CGAL
+        if (field.member == &Provenance::cgal_version && !group.has_attribute(field.name)) continue;
+        p.*field.member = group.text_attribute(field.name);
+    }
     p.git_dirty = group.integer_attribute("git_dirty") != 0;
     p.ranks = static_cast<int>(group.integer_attribute("ranks"));
     p.seed = group.integer_attribute("seed");

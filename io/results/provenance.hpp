@@ -16,7 +16,7 @@ struct Provenance {
     std::string git_revision;
     bool git_dirty = false;
     std::string build_type, compiler, flags;
-    std::string hdf5_version, eigen_version, yaml_cpp_version, mpi_version;
+    std::string hdf5_version, eigen_version, yaml_cpp_version, mpi_version, cgal_version;
     std::string scenario_name;      // the file's name as given
     std::string scenario_text;      // as read
     std::string scenario_resolved;  // with every default and override

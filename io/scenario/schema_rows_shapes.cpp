@@ -164,6 +164,19 @@ std::vector<Row> blocks() {
             .says("Standard deviation of the normal's direction. Above 0 joints of one set may cross, which makes thin "
                   "wedges."),
 
+        variant("bodies[hulls]")
+            .says("Blocks from a text file of points, x y z a line; an empty line ends a block, `#` begins a comment. "
+                  "Each is the convex hull of its points, where they are."),
+        text("bodies[hulls].path")
+            .required()
+            .naming_file()
+            .says("The file; a relative path starts at the folder of the scenario that names it."),
+        number("bodies[hulls].scale")
+            .standardly("1")
+            .in(kPositive)
+            .says("Multiplies the points: 0.001 reads millimetres."),
+        vector("bodies[hulls].offset", length).standardly("[0, 0, 0]").says("Added to each point, after `scale`."),
+
         variant("bodies[wall_of_blocks]").says("A wall of equal blocks in courses."),
         vector("bodies[wall_of_blocks].corner", length)
             .required()
@@ -208,7 +221,7 @@ std::vector<Row> blocks() {
                            .in(kNotNegative)
                            .says("Distance between neighbours at the start. 0: they touch."));
     }
-    for (const char* generator : {"voronoi", "rock_mass", "wall_of_blocks", "arch"}) {
+    for (const char* generator : {"voronoi", "rock_mass", "hulls", "wall_of_blocks", "arch"}) {
         const std::string path = std::string("bodies[") + generator + "].";
         rows.push_back(text(path + "material").required().naming("materials").says("Their material."));
         rows.push_back(vector(path + "velocity", velocity).standardly("[0, 0, 0]").says("Velocity at time 0."));

@@ -62,6 +62,7 @@ TEST(Provenance, LinesLeaveOutWhatIsUnknown) {
     for (const auto& [name, value] : provenance_lines(sample_provenance())) lines[name] = value;
     EXPECT_EQ(lines.count("slurm_job_id"), 0U);
     EXPECT_EQ(lines["seed"], "42");
+    EXPECT_THAT(lines["cgal_version"], ::testing::MatchesRegex("[0-9]+[.][0-9]+.*"));
     EXPECT_EQ(lines["command_line"], "scree run box.yaml");
 }
 

@@ -167,6 +167,11 @@ TEST(Parts, FilesOfPolyhedra) {
     expect_same_on_all_ranks(file + file, path, kShapes);
     expect_same_on_all_ranks(lattice("cells: [3, 3, 3], shape: wedge"), path,
                              "shapes:\n  - {name: wedge, kind: file, path: wedge.off}\n");
+    folder.write("points.txt", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n5 1 1\n");
+    folder.write("plane.txt", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n\n5 0 x\n");
+    for (const char* points : {"points.txt", "plane.txt", "none.txt"})
+        expect_same_on_all_ranks(
+            std::string("  - {generator: hulls, material: glass, offset: [0, 0, 1], path: ") + points + "}\n", path);
     for (const char* wrong : {"open.off", "none.off"})
         expect_same_on_all_ranks(lattice("cells: [3, 3, 3], shape: wedge"), path,
                                  std::string("shapes:\n  - {name: wedge, kind: file, path: ") + wrong + "}\n");

@@ -1,7 +1,9 @@
 // Every scenario that is shipped can be read and built, and is what its comment says.
 #include <algorithm>
+#include <deque>
 #include <map>
 
+#include "contact/polyhedra/polyhedron_polyhedron.hpp"
 #include "tests/scenarios/support.hpp"
 
 namespace scree {
@@ -21,6 +23,8 @@ scenarios::Built build_file(const std::filesystem::path& path) {
 }
 
 const std::map<std::string, std::size_t> kBodies = {
+    {"arch", 11},          {"block_wall", 410},       {"bricks", 1500},
+    {"dominoes", 30},      {"jointed_slope", 170},    {"polyhedra_drop", 200},
     {"bouncing_ball", 1},  {"column_collapse", 6000}, {"hourglass", 1500},
     {"incline_sphere", 1}, {"inlet_box", 0},          {"newtons_cradle", 5},
     {"oblique_impact", 5}, {"rotating_drum", 3000},   {"silo_discharge", 10000},
@@ -54,10 +58,41 @@ TEST(ShippedScenarios, BeginWithTheSchemaAndAComment) {
     }
 }
 
-// No two bodies overlap at the start, but for touching ones.
+// The bodies of a scene, placed.
+class PlacedBodies {
+  public:
+    explicit PlacedBodies(const State& state) : bodies_(state.bodies) {
+        for (std::size_t i = 0; i < bodies_.size() && bodies_.has_shapes(); ++i) {
+            const ConvexShape& shape = state.shapes[raw(bodies_.shape[i])];
+            room_.emplace_back(contact::placed_size(shape));
+            placed_.push_back(contact::place(shape, bodies_.position[i], bodies_.orientation[i], room_.back()));
+        }
+    }
+    double gap(std::size_t i, std::size_t j) {
+        const double balls = (bodies_.position[i] - bodies_.position[j]).norm() - bodies_.radius[i] - bodies_.radius[j];
+        if (!bodies_.has_shapes() || balls > 0.0) return balls;
+        return contact::polyhedra_gap(placed_[i], placed_[j], 1.0, scratch_).gap;
+    }
+    // Of a body from a plane.
+    double gap(std::size_t i, const PlaneWall& plane) const {
+        const double height = plane.normal.dot(bodies_.position[i] - plane.point);
+        if (!bodies_.has_shapes()) return height - bodies_.radius[i];
+        return height + contact::lowest(placed_[i], plane.normal).height;
+    }
+
+  private:
+    const Bodies& bodies_;
+    std::deque<std::vector<Vec3>> room_;
+    std::vector<contact::Placed> placed_;
+    contact::PolyhedraScratch scratch_;
+};
+
+// Neither two bodies nor a body and a plane overlap at the start, but for touching ones.
 TEST(ShippedScenarios, StartWithoutOverlap) {
     for (const auto& [name, expected] : kBodies) {
-        const Bodies b = build_file(kFolder / (name + ".yaml")).state.bodies;
+        const scenarios::Built built = build_file(kFolder / (name + ".yaml"));
+        const Bodies& b = built.state.bodies;
+        PlacedBodies placed(built.state);
         std::vector<std::size_t> order(b.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         std::sort(order.begin(), order.end(), [&](auto i, auto j) { return b.position[i].z() < b.position[j].z(); });
@@ -65,14 +100,34 @@ TEST(ShippedScenarios, StartWithoutOverlap) {
         double deepest = 0.0;
         for (std::size_t i = 0; i < order.size(); ++i) {
             for (std::size_t j = i + 1; j < order.size(); ++j) {
-                const std::size_t p = order[i], q = order[j];
-                if (b.position[q].z() - b.position[p].z() > reach) break;
-                const double gap = (b.position[p] - b.position[q]).norm() - b.radius[p] - b.radius[q];
-                deepest = std::max(deepest, -gap / reach);
+                if (b.position[order[j]].z() - b.position[order[i]].z() > reach) break;
+                deepest = std::max(deepest, -placed.gap(order[i], order[j]) / reach);
             }
+            for (const Wall& wall : built.scene.walls)
+                if (const auto* plane = std::get_if<PlaneWall>(&wall.shape); plane != nullptr && wall.present(0.0))
+                    deepest = std::max(deepest, -placed.gap(order[i], *plane) / reach);
         }
-        EXPECT_LT(deepest, 1e-12) << name;
+        // numbers in the file have nine digits
+        EXPECT_LT(deepest, b.has_shapes() ? 1e-8 : 1e-12) << name;
     }
+}
+
+TEST(ShippedScenarios, TheFirstDominoStandsOnItsEdge) {
+    const scenarios::Built built = build_file(kFolder / "dominoes.yaml");
+    std::vector<Vec3> lowest;
+    for (const Vec3& x : built.state.shapes[0].vertex) {
+        const Vec3 at = built.state.bodies.position[0] + built.state.bodies.orientation[0] * x;
+        if (at.z() < 1e-8) lowest.push_back(at);
+    }
+    ASSERT_EQ(lowest.size(), 2U);
+    for (const Vec3& x : lowest) EXPECT_NEAR(x.x(), 3.75e-3, 1e-8);
+}
+
+TEST(ShippedScenarios, TheJointedSlopeIsFilled) {
+    const State state = build_file(kFolder / "jointed_slope.yaml").state;
+    double mass = 0.0;
+    for (const double m : state.bodies.mass) mass += m;
+    EXPECT_NEAR(mass, 2700.0 * 8.0 * 70.0, 1e-6);
 }
 
 TEST(ShippedScenarios, TheSmallSiloTakesTheRestFromTheLargeOne) {
