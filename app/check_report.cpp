@@ -8,6 +8,7 @@
 #include "app/human_text.hpp"
 #include "app/output_schedule.hpp"
 #include "app/rank_shares.hpp"
+#include "core/terrain.hpp"
 #include "solvers/measures.hpp"
 
 namespace scree::app {
@@ -24,10 +25,23 @@ double snapshot_bytes_per_body(const OutputSettings& output) {
     return bytes;
 }
 
-std::string wall_shape(const Wall& wall) {
+std::string terrain_text(const Terrain& terrain, const Vec3& origin) {
+    std::string text = fmt::format(" of {} triangles", count_text(terrain.ground));
+    if (terrain.grid) {
+        text += fmt::format(", {} x {} nodes {:.6g} x {:.6g} m apart", terrain.grid->columns, terrain.grid->rows,
+                            terrain.grid->dx, terrain.grid->dy);
+    }
+    return text + fmt::format(", {} to {}, {} border, {}", point_text(origin + terrain.lower),
+                              point_text(origin + terrain.upper),
+                              terrain.border == TerrainBorder::open ? "open" : "closed",
+                              bytes_text(static_cast<double>(terrain.bytes())));
+}
+
+std::string wall_shape(const Wall& wall, const Vec3& origin) {
     static constexpr std::array<const char*, std::variant_size_v<WallShape>> kNames = {
-        "plane", "box", "cylinder", "cone", "disc", "floor with a round hole", "floor with a slot"};
+        "plane", "box", "cylinder", "cone", "disc", "floor with a round hole", "floor with a slot", "terrain"};
     std::string text = kNames[wall.shape.index()];
+    if (const auto* w = std::get_if<TerrainWall>(&wall.shape)) text += terrain_text(*w->terrain, origin);
     if (wall.motion.moves()) text += ", moves";
     if (wall.appears > 0.0) text += fmt::format(", from {:.4g} s", wall.appears);
     if (wall.goes < kForever) text += fmt::format(", until {:.4g} s", wall.goes);
@@ -56,7 +70,7 @@ std::string bodies_lines(const Scene& scene, const State& state) {
 std::string scene_lines(const Scene& scene) {
     std::string text;
     for (const Wall& wall : scene.walls) {
-        text += fmt::format("  wall        {}: {}\n", wall.name, wall_shape(wall));
+        text += fmt::format("  wall        {}: {}\n", wall.name, wall_shape(wall, scene.origin));
     }
     for (const Inlet& inlet : scene.inlets) {
         text += fmt::format("  inlet       {}: {:.4g} kg/s\n", inlet.name, inlet.mass_rate);

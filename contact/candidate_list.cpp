@@ -140,9 +140,7 @@ bool CandidateList::near_wall(const Scene& scene, const State& state, double ste
     const double width = radius + reach;
     if ((local - frame_[w].bounds.lower).minCoeff() < -width || (frame_[w].bounds.upper - local).minCoeff() < -width)
         return false;
-    WallContacts found;
-    find_contacts(wall.shape, local, radius, reach, found);
-    return found.count > 0;
+    return may_touch(wall.shape, local, radius, reach);
 }
 
 void CandidateList::list_walls_near(const Scene& scene, const State& state, double step, double time, std::uint32_t i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/terrain.hpp"
+
 namespace scree {
 namespace {
 
@@ -33,6 +35,9 @@ struct Translate {
     void operator()(DiscWall& w) const { w.centre += shift; }
     void operator()(OrificeFloor& w) const { w.centre += shift; }
     void operator()(SlotFloor& w) const { w.centre += shift; }
+    void operator()(TerrainWall& w) const {
+        w.terrain = std::make_shared<const Terrain>(translated(*w.terrain, shift));
+    }
 };
 
 }  // namespace

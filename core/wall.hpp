@@ -6,6 +6,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -13,6 +14,8 @@
 #include "core/vec.hpp"
 
 namespace scree {
+
+struct Terrain;
 
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
@@ -54,7 +57,11 @@ struct SlotFloor {  // an infinite thin plane with a rectangular hole; two-sided
     Vec3 along;            // unit, in the plane: direction of the slot's length
     double width, length;  // [m]; length may be infinite
 };
-using WallShape = std::variant<PlaneWall, BoxWall, CylinderWall, ConeWall, DiscWall, OrificeFloor, SlotFloor>;
+struct TerrainWall {  // a surface of triangles (terrain.hpp); one-sided; it does not move
+    std::shared_ptr<const Terrain> terrain;
+};
+using WallShape =
+    std::variant<PlaneWall, BoxWall, CylinderWall, ConeWall, DiscWall, OrificeFloor, SlotFloor, TerrainWall>;
 
 // Prescribed motion, a closed function of time, so that a restart needs no state:
 //   x(t) = c + R(t) (x0 - c) + velocity tau + amplitude sin(2 pi frequency tau + phase) - amplitude sin(phase),

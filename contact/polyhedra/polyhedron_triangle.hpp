@@ -20,7 +20,7 @@
 #include "contact/polyhedra/manifold.hpp"
 #include "contact/polyhedra/placed.hpp"
 #include "contact/polyhedra/scratch.hpp"
-#include "contact/polyhedra/terrain_mesh.hpp"
+#include "core/terrain_mesh.hpp"
 
 namespace scree::contact {
 

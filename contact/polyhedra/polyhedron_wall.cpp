@@ -131,6 +131,7 @@ struct Touch {
     }
     void operator()(const OrificeFloor&) const {}
     void operator()(const SlotFloor&) const {}
+    void operator()(const TerrainWall&) const {}
 };
 
 struct Cover {
@@ -147,6 +148,7 @@ struct Cover {
     WallCover operator()(const DiscWall&) const { return WallCover::inside; }
     WallCover operator()(const OrificeFloor&) const { return WallCover::none; }
     WallCover operator()(const SlotFloor&) const { return WallCover::none; }
+    WallCover operator()(const TerrainWall&) const { return WallCover::none; }
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "contact/polyhedra/sphere_polyhedron.hpp"
-#include "contact/polyhedra/terrain_mesh.hpp"
+#include "core/terrain_mesh.hpp"
 
 namespace scree::contact {
 

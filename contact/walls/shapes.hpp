@@ -21,6 +21,9 @@ void cone_contacts(const ConeWall& cone, const Probe& probe, WallContacts& out);
 void disc_contacts(const DiscWall& disc, const Probe& probe, WallContacts& out);
 void orifice_floor_contacts(const OrificeFloor& floor, const Probe& probe, WallContacts& out);
 void slot_floor_contacts(const SlotFloor& floor, const Probe& probe, WallContacts& out);
+void terrain_contacts(const TerrainWall& wall, const Probe& probe, WallContacts& out);
+// Whether a centre within probe.margin of this one may touch: never false where it does.
+bool near_terrain(const TerrainWall& wall, const Probe& probe);
 
 // A finite surface of revolution with a straight profile, thin and two-sided: cones, and cylinders with open ends.
 struct Shell {

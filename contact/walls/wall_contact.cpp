@@ -2,6 +2,7 @@
 #include "contact/walls/wall_contact.hpp"
 
 #include "contact/walls/shapes.hpp"
+#include "core/terrain.hpp"
 
 namespace scree::contact {
 namespace {
@@ -48,6 +49,21 @@ WallBounds plane_bounds(const Vec3& point, const Vec3& normal, bool one_sided) {
     return box;
 }
 
+// A height field is solid below; if it is closed, nothing may be beside it.
+WallBounds terrain_bounds(const Terrain& terrain) {
+    WallBounds box{terrain.lower, terrain.upper};
+    const bool closed = terrain.border == TerrainBorder::closed;
+    if (terrain.ground < terrain.mesh.triangle.size()) {
+        if (closed) box.upper.z() = terrain.top;
+        if (!closed) box.lower.z() = terrain.bottom;
+    }
+    if (!closed || !terrain.grid) return box;
+    const double top = box.upper.z();
+    box = {-kInfinite, kInfinite};
+    box.upper.z() = top;
+    return box;
+}
+
 bool keeps_everything(const BoxWall& box) {
     return box.inside && !box.open_top && !box.open_bottom;
 }
@@ -66,8 +82,18 @@ void find_contacts(const WallShape& shape, const Vec3& centre, double radius, do
                           [&](const ConeWall& w) { detail::cone_contacts(w, probe, out); },
                           [&](const DiscWall& w) { detail::disc_contacts(w, probe, out); },
                           [&](const OrificeFloor& w) { detail::orifice_floor_contacts(w, probe, out); },
-                          [&](const SlotFloor& w) { detail::slot_floor_contacts(w, probe, out); }},
+                          [&](const SlotFloor& w) { detail::slot_floor_contacts(w, probe, out); },
+                          [&](const TerrainWall& w) { detail::terrain_contacts(w, probe, out); }},
                shape);
+}
+
+bool may_touch(const WallShape& shape, const Vec3& centre, double radius, double reach) {
+    if (const auto* terrain = std::get_if<TerrainWall>(&shape)) {
+        return detail::near_terrain(*terrain, {centre, radius, reach});
+    }
+    WallContacts found;
+    find_contacts(shape, centre, radius, reach, found);
+    return found.count > 0;
 }
 
 bool is_thin(const WallShape& shape) {
@@ -92,7 +118,8 @@ WallBounds bounds(const WallShape& shape) {
             [](const ConeWall& w) { return revolution_bounds(w.base, w.axis, w.length, w.radius_base, w.radius_end); },
             [](const DiscWall& w) { return revolution_bounds(w.centre, w.normal, 0.0, w.radius, w.radius); },
             [](const OrificeFloor& w) { return plane_bounds(w.centre, w.normal, false); },
-            [](const SlotFloor& w) { return plane_bounds(w.centre, w.normal, false); }},
+            [](const SlotFloor& w) { return plane_bounds(w.centre, w.normal, false); },
+            [](const TerrainWall& w) { return terrain_bounds(*w.terrain); }},
         shape);
 }
 

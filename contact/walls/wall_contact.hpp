@@ -9,6 +9,8 @@
 // end can be walked round, so it is a thin shell that is touched from either side: open boxes, finite cylinders with
 // bodies inside, cones. An infinite cylinder has no ends: its `base` is any point of its axis. Normals are defined for
 // every centre, also on a surface, on an axis, at an apex. Lengths have no scale here.
+//
+// A terrain can touch a sphere at more places than are kept: then the deepest are (of equals the lowest features).
 #pragma once
 
 #include <array>
@@ -37,6 +39,10 @@ struct WallContacts {
 
 // All places where the gap is at most `margin`. `centre` in the wall's frame. Overwrites `out`.
 void find_contacts(const WallShape& shape, const Vec3& centre, double radius, double margin, WallContacts& out);
+
+// Whether a sphere whose centre is within `reach` of this one may touch the wall: never false where one does, sometimes
+// true where none does.
+bool may_touch(const WallShape& shape, const Vec3& centre, double radius, double reach);
 
 // A body may pass through a thin wall (two-sided) or a solid when it moves more than its radius in a step; through a
 // one-sided wall it cannot.

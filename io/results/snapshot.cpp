@@ -93,7 +93,7 @@ void write_walls(const Hdf5Group& root, const Scene& scene, double time) {
         translation.push_back(pose.translation + scene.origin);
     }
     write_texts(group, "name", name, "name of the wall");
-    write_texts(group, "shape", shape, "plane, box, cylinder, cone, disc, orifice_floor or slot_floor");
+    write_texts(group, "shape", shape, "plane, box, cylinder, cone, disc, orifice_floor, slot_floor or terrain");
     write_texts(group, "parameters", parameters, "JSON: the shape in its own frame [m]; null is an infinite length");
     write_rows(group, "material", rows_of(material), {"1", "row of /materials"});
     write_rows(group, "present", rows_of(present), {"1", "1 if the wall is there at this time, else 0"});

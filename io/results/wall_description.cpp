@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/terrain.hpp"
+
 namespace scree::io {
 
 namespace {
@@ -51,6 +53,21 @@ struct Describe {
                            {"along", list(w.along)},
                            {"width", w.width},
                            {"length", w.length}});
+    }
+    void operator()(const TerrainWall& w) {
+        const Terrain& terrain = *w.terrain;
+        set("terrain", {{"lower", list(terrain.lower)},
+                        {"upper", list(terrain.upper)},
+                        {"triangles", terrain.ground},
+                        {"closed", terrain.border == TerrainBorder::closed}});
+        if (!terrain.grid) return;
+        const HeightGrid& grid = *terrain.grid;
+        json.update({{"columns", grid.columns},
+                     {"rows", grid.rows},
+                     {"x", grid.x},
+                     {"y", grid.y},
+                     {"dx", grid.dx},
+                     {"dy", grid.dy}});
     }
 
   private:

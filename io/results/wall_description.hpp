@@ -7,7 +7,7 @@
 
 namespace scree::io {
 
-// "plane", "box", "cylinder", "cone", "disc", "orifice_floor", "slot_floor"
+// "plane", "box", "cylinder", "cone", "disc", "orifice_floor", "slot_floor", "terrain"
 std::string shape_name(const WallShape& shape);
 // The members of the shape as a JSON object, in the wall's own frame [m]; an infinite length is null.
 std::string shape_json(const WallShape& shape);

@@ -3,11 +3,11 @@
 
 #include <functional>
 
-#include "contact/polyhedra/terrain_mesh.hpp"
+#include "core/terrain_mesh.hpp"
 
 namespace scree::testing {
 
-inline contact::TerrainMesh grid_terrain(int n, double spacing, const std::function<double(double, double)>& height) {
+inline TerrainMesh grid_terrain(int n, double spacing, const std::function<double(double, double)>& height) {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (int j = 0; j <= n; ++j) {
@@ -28,7 +28,7 @@ inline contact::TerrainMesh grid_terrain(int n, double spacing, const std::funct
             }
         }
     }
-    return contact::make_terrain_mesh(vertices, triangles);
+    return make_terrain_mesh(vertices, triangles);
 }
 
 }  // namespace scree::testing

@@ -13,7 +13,7 @@
 
 #include "core/vec.hpp"
 
-namespace scree::contact {
+namespace scree {
 
 struct TerrainMesh {
     static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -49,4 +49,4 @@ struct TerrainMesh {
 // another triangle has in the same direction.
 TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-}  // namespace scree::contact
+}  // namespace scree

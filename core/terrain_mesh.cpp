@@ -1,11 +1,11 @@
-#include "contact/polyhedra/terrain_mesh.hpp"
+#include "core/terrain_mesh.hpp"
 
 #include <algorithm>
 #include <string>
 
 #include "core/errors.hpp"
 
-namespace scree::contact {
+namespace scree {
 namespace {
 
 constexpr double kFlat = 1e-9;  // sine: less of a ridge is none
@@ -94,4 +94,4 @@ TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std:
     return mesh;
 }
 
-}  // namespace scree::contact
+}  // namespace scree
