@@ -1,6 +1,7 @@
 #include "core/terrain_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/errors.hpp"
@@ -21,6 +22,11 @@ struct HalfEdge {
 
 [[noreturn]] void refuse(std::uint32_t triangle, const std::string& why) {
     throw ScenarioError("triangle " + std::to_string(triangle) + ": " + why);
+}
+
+double angle_at(const std::vector<Vec3>& vertex, const std::array<std::uint32_t, 3>& corner, std::uint32_t i) {
+    const Vec3 p = vertex[corner[(i + 1) % 3]] - vertex[corner[i]], q = vertex[corner[(i + 2) % 3]] - vertex[corner[i]];
+    return std::atan2(p.cross(q).norm(), p.dot(q));
 }
 
 void add_edge(TerrainMesh& mesh, const HalfEdge* half, std::size_t sides) {
@@ -75,7 +81,7 @@ TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std:
             const std::uint32_t from = c[i], to = c[(i + 1) % 3];
             half.push_back({std::min(from, to), std::max(from, to), t, i, from < to});
             if (mesh.owner[from] == TerrainMesh::kNone) mesh.owner[from] = t;
-            mesh.outward[from] += mesh.triangle[t].normal;
+            mesh.outward[from] += angle_at(mesh.vertex, c, i) * mesh.triangle[t].normal;
         }
     }
     std::sort(half.begin(), half.end());

@@ -38,7 +38,7 @@ struct TerrainMesh {
     std::vector<std::uint32_t> link_begin, link;  // vertices joined to each by an edge, increasing
     std::vector<std::uint32_t> owner;             // of each vertex: its first triangle
     std::vector<std::uint8_t> on_ridge;           // of each vertex: one of its edges is convex
-    std::vector<Vec3> outward;                    // of each vertex: sum of the normals around it
+    std::vector<Vec3> outward;                    // of each vertex: sum of the normals around it times their angles
 
     std::span<const std::uint32_t> links(std::size_t v) const {
         return {link.data() + link_begin[v], link.data() + link_begin[v + 1]};

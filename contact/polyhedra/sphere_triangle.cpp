@@ -1,5 +1,6 @@
 #include "contact/polyhedra/sphere_triangle.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree::contact {
@@ -69,10 +70,11 @@ std::optional<SphereTriangleGap> sphere_triangle(const Vec3& centre, double radi
                                                  std::uint32_t triangle, double depth, double margin) {
     const TerrainMesh::Triangle& t = mesh.triangle[triangle];
     const double height = t.normal.dot(centre - mesh.vertex[t.corner[0]]);
-    if (height - radius > margin || height < -depth) return std::nullopt;
+    // where a ridge is sharp, what lies beyond it is behind one of its triangles
+    if (height - radius > margin || height < -std::max(depth, radius + margin)) return std::nullopt;
     bool inside = true;
     for (const std::uint32_t e : t.edge) inside = inside && over(mesh, mesh.edge[e], triangle, centre);
-    if (inside && height < 0.0 && before_a_ridge(mesh, t, centre)) return std::nullopt;
+    if (inside && (height < -depth || (height < 0.0 && before_a_ridge(mesh, t, centre)))) return std::nullopt;
     if (inside) return SphereTriangleGap{height - radius, t.normal, Region::face, triangle};
     for (const std::uint32_t e : t.edge) {
         const Edge& edge = mesh.edge[e];

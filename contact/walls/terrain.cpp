@@ -1,10 +1,9 @@
 // Terrain: the triangles near the sphere, by sphere_triangle.hpp. One-sided.
 //   outside  each face, ridge and summit that is nearest to the centre among the places around it, as far as the margin
 //   behind   one place: the nearest of the surface, with the normal towards it
-// A height field is solid ground: a centre below it is behind, however deep (beyond a few radii the triangle above it
-// answers, which is cheaper). Behind any other surface it is one whose nearest place shows its back, as far as
-// terrain_depth(): farther it may be another hall of the same cave; beyond the edge of a sheet nothing is behind. Of
-// triangles that are equally near, the one that the centre lies farthest above or below tells which side it is on.
+// A height field is solid ground: a centre below it is behind, however deep (beyond two radii straight up is the way
+// out). Behind any other surface it is one whose nearest place shows its back, as far as
+// terrain_depth(): farther it may be another hall of the same cave; beyond the edge of a sheet nothing is behind.
 // Feature: region << 30 | index of the triangle, edge or vertex; kBeyond the border of a closed height field.
 #include <algorithm>
 
@@ -48,7 +47,6 @@ bool ends(const TerrainMesh& mesh, std::uint32_t triangle, const NearestPlace& p
 
 struct Place {
     double distance = std::numeric_limits<double>::infinity();  // [m]
-    double height = 0.0;                                        // [m] of the centre over the triangle's plane
     std::uint32_t triangle = TerrainMesh::kNone;
     bool at_end = false;  // the surface ends there
     NearestPlace at{};
@@ -56,11 +54,21 @@ struct Place {
     void take(const TerrainMesh& mesh, std::uint32_t t, const Vec3& x) {
         const NearestPlace place = nearest_place(mesh, t, x);
         const double d = (x - place.foot).norm();
-        const double h = mesh.triangle[t].normal.dot(x - mesh.vertex[mesh.triangle[t].corner[0]]);
         const bool nearer = d < (1.0 - kAlike) * distance;
         if (!nearer && d > (1.0 + kAlike) * distance) return;
         at_end = (!nearer && at_end) || ends(mesh, t, place);
-        if (nearer || std::abs(h) > std::abs(height)) distance = d, height = h, triangle = t, at = place;
+        if (nearer) distance = d, triangle = t, at = place;
+    }
+    // Which side of the surface x is on: the mean normal of its nearest place tells (Baerentzen and Aanaes 2005).
+    bool shows_back(const TerrainMesh& mesh, const Vec3& x) const {
+        Vec3 normal = mesh.triangle[triangle].normal;
+        if (at.region == Region::edge) {
+            const TerrainMesh::Edge& edge = mesh.edge[at.feature];
+            for (const std::uint32_t side : {edge.left, edge.right})
+                if (side != TerrainMesh::kNone && side != triangle) normal += mesh.triangle[side].normal;
+        }
+        if (at.region == Region::vertex) normal = mesh.outward[at.feature];
+        return normal.dot(x - at.foot) < 0.0;
     }
 };
 
@@ -85,11 +93,11 @@ void push_out(const Terrain& terrain, const Place& place, const Probe& probe, Wa
 void push_up(const Terrain& terrain, const Probe& probe, WallContacts& out) {
     const std::uint32_t above = *terrain.column(probe.centre.x(), probe.centre.y());
     const TerrainMesh::Triangle& t = terrain.mesh.triangle[above];
-    const double depth = -t.normal.dot(probe.centre - terrain.mesh.vertex[t.corner[0]]);
+    const double depth = -t.normal.dot(probe.centre - terrain.mesh.vertex[t.corner[0]]) / t.normal.z();
     const double searched = std::min(depth, kSearched * probe.radius) * (1.0 + kRoundOff);
     const Place place = nearest(terrain, probe.centre, searched);
     if (place.distance <= searched) return push_out(terrain, place, probe, out);
-    out.add(t.normal, -depth - probe.radius, feature_of(Region::face, above));
+    out.add(Vec3::UnitZ(), -depth - probe.radius, feature_of(Region::face, above));
 }
 
 // From beyond the border of a closed height field, the nearest way back.
@@ -106,7 +114,7 @@ void push_in(const HeightGrid& grid, const Probe& probe, WallContacts& out) {
 bool behind(const Terrain& terrain, const Probe& probe, WallContacts& out) {
     const double depth = terrain_depth(probe.radius);
     const Place place = nearest(terrain, probe.centre, depth);
-    if (place.distance > depth || place.height >= 0.0 || place.at_end) return false;
+    if (place.distance > depth || place.at_end || !place.shows_back(terrain.mesh, probe.centre)) return false;
     push_out(terrain, place, probe, out);
     return true;
 }
@@ -145,7 +153,7 @@ bool near_terrain(const TerrainWall& wall, const Probe& probe) {
         const double beside =
             std::min(std::min(x.x() - grid.x, grid.last_x() - x.x()), std::min(x.y() - grid.y, grid.last_y() - x.y()));
         const bool closed = terrain.border == TerrainBorder::closed;
-        if (closed && beside <= probe.margin) return true;
+        if (closed && (beside <= probe.margin || !terrain.column(x.x(), x.y()))) return true;
         if (!closed && std::abs(x.z() - terrain.bottom) <= probe.margin && beside >= -probe.margin) return true;
     }
     const double width = (probe.radius + probe.margin) * (1.0 + kRoundOff);

@@ -1,9 +1,11 @@
-// The narrow phase of polyhedra allocates nothing once its scratch has met the largest shapes.
+// The narrow phase of polyhedra allocates nothing once its scratch has met the largest shapes, that of terrain nothing.
 #include <gtest/gtest.h>
 
 #include "contact/polyhedra/polyhedron_polyhedron.hpp"
 #include "contact/polyhedra/sphere_polyhedron.hpp"
+#include "contact/walls/wall_contact.hpp"
 #include "tests/testing/count_allocations.hpp"
+#include "tests/testing/height_grid.hpp"
 #include "tests/testing/hull_shape.hpp"
 
 namespace scree::contact {
@@ -30,6 +32,21 @@ TEST(PolyhedraAllocations, NothingIsAllocated) {
     }
     EXPECT_EQ(testing::allocations - before, 0U);
     EXPECT_GT(points, 1000U);
+}
+
+TEST(TerrainAllocations, NothingIsAllocated) {
+    const WallShape shape = testing::wall_of(testing::noisy_grid(40, 0.1, 0.4, 8));
+    const std::size_t before = testing::allocations;
+    int found = 0;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        Random random(45, 1, i);
+        const Vec3 x(random.uniform(-2.3, 2.3), random.uniform(-2.3, 2.3), random.uniform(-0.2, 1.0));
+        WallContacts contacts;
+        find_contacts(shape, x, 0.4, 0.0, contacts);
+        found += contacts.count + (may_touch(shape, x, 0.4, 0.1) ? 1 : 0);
+    }
+    EXPECT_GT(found, 1000);
+    EXPECT_EQ(testing::allocations - before, 0U);
 }
 
 }  // namespace
