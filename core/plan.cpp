@@ -157,7 +157,11 @@ Plan make_plan(const Scene& scene, const Bodies& bodies, const Communicator& ran
     plan.lines.push_back({"polyhedra", plan.polyhedra,
                           plan.polyhedra ? "some bodies are polyhedra: contacts have lever arms and 3x3 local problems"
                                          : "every body is a sphere"});
-    plan.lines.push_back({"terrain", false, "every wall is an exact surface"});
+    const auto terrain = std::find_if(scene.walls.begin(), scene.walls.end(),
+                                      [](const Wall& w) { return std::holds_alternative<TerrainWall>(w.shape); });
+    plan.lines.push_back({"terrain", terrain != scene.walls.end(),
+                          terrain != scene.walls.end() ? fmt::format("wall `{}` is one", terrain->name)
+                                                       : std::string("every wall is an exact surface")});
     plan.lines.push_back({"cohesion", false, "no pair of materials has cohesion"});
     plan.lines.push_back({"rolling friction", false, "no pair of materials has rolling friction"});
     return plan;

@@ -70,6 +70,9 @@ TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std:
     mesh.on_ridge.assign(mesh.vertex.size(), 0);
     mesh.outward.assign(mesh.vertex.size(), Vec3::Zero());
     std::vector<HalfEdge> half;
+    half.reserve(3 * triangles.size());
+    mesh.triangle.reserve(triangles.size());
+    mesh.edge.reserve(2 * triangles.size());
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         const std::array<std::uint32_t, 3>& c = triangles[t];
         if (*std::max_element(c.begin(), c.end()) >= mesh.vertex.size()) refuse(t, "a corner is not there");
@@ -96,7 +99,9 @@ TerrainMesh make_terrain_mesh(std::vector<Vec3> vertices, const std::vector<std:
             refuse(half[i].triangle, "another one has an edge in the same direction");
         }
     }
+    mesh.edge.shrink_to_fit();
     link_vertices(mesh);
+    mesh.vertex.shrink_to_fit(), mesh.link.shrink_to_fit(), mesh.link_begin.shrink_to_fit();
     return mesh;
 }
 

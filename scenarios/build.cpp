@@ -37,11 +37,12 @@ std::vector<BodyFile> read_body_files(const io::Node& scenario, const Context& c
 }
 
 // The origin first: everything after it is built in the local frame.
-Scene build_in_frame(const io::Node& scenario, const Vec3& origin, Context& context, Scene scene) {
+Scene build_in_frame(const io::Node& scenario, const Vec3& origin, std::vector<TerrainFile> terrains, Context& context,
+                     Scene scene) {
     context.origin = origin;
     scene.origin = origin;
     build_settings(scenario, context, scene);
-    build_walls(scenario, context, scene);
+    build_walls(scenario, context, std::move(terrains), scene);
     build_inlets(scenario, context, scene);
     build_outlets(scenario, context, scene);
     build_measures(scenario, context, scene);
@@ -148,15 +149,16 @@ Scene build_scene(const io::Node& scenario, const std::string& folder, io::Diagn
     Context context = make_context(scenario, folder, diagnostics);
     Scene scene;
     build_materials(scenario, context, scene);
+    std::vector<TerrainFile> terrains = read_terrains(scenario, context, ranks);
     Vec3 chosen = Vec3::Zero();
     if (scenario.has("origin")) {
         chosen = scenario.vector("origin");
     } else if (origin) {
         chosen = *origin;
     } else {
-        chosen = choose_origin(scenario, read_body_files(scenario, context, ranks));
+        chosen = choose_origin(scenario, read_body_files(scenario, context, ranks), terrains);
     }
-    return build_in_frame(scenario, chosen, context, std::move(scene));
+    return build_in_frame(scenario, chosen, std::move(terrains), context, std::move(scene));
 }
 
 Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics& diagnostics,
@@ -165,9 +167,10 @@ Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics
     Scene scene;
     build_materials(scenario, context, scene);
     const std::vector<BodyFile> files = read_body_files(scenario, context, ranks);
-    const Vec3 origin = scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, files);
+    std::vector<TerrainFile> terrains = read_terrains(scenario, context, ranks);
+    const Vec3 origin = scenario.has("origin") ? scenario.vector("origin") : choose_origin(scenario, files, terrains);
     Built built;
-    built.scene = build_in_frame(scenario, origin, context, std::move(scene));
+    built.scene = build_in_frame(scenario, origin, std::move(terrains), context, std::move(scene));
     built.state =
         make_state(generate(scenario, files, context, built.scene, ranks), built.scene, scenario, context, ranks);
     return built;

@@ -82,7 +82,7 @@ void add_wall(Box& box, const Node& node) {
 
 }  // namespace
 
-Vec3 choose_origin(const Node& scenario, const std::vector<BodyFile>& files) {
+Vec3 choose_origin(const Node& scenario, const std::vector<BodyFile>& files, const std::vector<TerrainFile>& terrains) {
     Box box;
     for (const Node& node : items_of(scenario, "bodies")) add_bodies(box, node);
     for (const Node& node : items_of(scenario, "inlets")) add_region(box, node.at("region"));
@@ -92,11 +92,16 @@ Vec3 choose_origin(const Node& scenario, const std::vector<BodyFile>& files) {
         box.add(file.lower);
         box.add(file.upper);
     }
+    for (const TerrainFile& terrain : terrains) {
+        if (terrain.empty()) continue;
+        box.add(terrain.lower);
+        box.add(terrain.upper);
+    }
     if (box.empty()) return Vec3::Zero();
 
     const double extent = (box.upper - box.lower).maxCoeff();
     const double farthest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
-    if (!(farthest > 1000.0 * extent) || !std::isfinite(farthest)) return Vec3::Zero();
+    if (!(farthest > (terrains.empty() ? 1000.0 : 1.0) * extent) || !std::isfinite(farthest)) return Vec3::Zero();
     int exponent = 0;
     std::frexp(extent, &exponent);
     const double unit = std::ldexp(1.0, exponent);  // extent < unit <= 2 extent

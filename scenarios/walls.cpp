@@ -101,18 +101,20 @@ WallMotion build_motion(const Node& node, const Context& context) {
 
 }  // namespace
 
-void build_walls(const Node& scenario, const Context& context, Scene& scene) {
+void build_walls(const Node& scenario, const Context& context, std::vector<TerrainFile> terrains, Scene& scene) {
+    auto terrain = terrains.begin();
     const Node::List& list = items_of(scenario, "walls");
     context.check_unique_names(list, "wall");
     for (const Node& node : list) {
         Wall wall;
         wall.name = node.text("name");
         wall.material = context.material(node.at("material"));
-        wall.shape = build_shape(node, context);
+        const bool is_terrain = node.text("shape") == "terrain";
+        wall.shape = is_terrain ? build_terrain(node, std::move(*terrain++), context) : build_shape(node, context);
         wall.appears = number_or(node, "appears", 0.0);
         wall.goes = number_or(node, "goes", kForever);
         context.check_ascending(node, "appears", "goes");
-        if (node.has("motion")) wall.motion = build_motion(node.at("motion"), context);
+        if (node.has("motion") && !is_terrain) wall.motion = build_motion(node.at("motion"), context);
         scene.walls.push_back(wall);
     }
 }

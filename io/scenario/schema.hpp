@@ -35,6 +35,7 @@ enum class Kind {
     choice,            // [string] one of `choices`
     choices,           // [list of strings] each one of `choices`
     integers,          // [list of int64]
+    numbers,           // [list of double, SI]
     table,             // [list of lists of double] rows with `columns`
 };
 

@@ -78,6 +78,8 @@ Json value(const Row& row) {
             return list_of({{"enum", row.choices}}, 0);
         case Kind::integers:
             return list_of(bounded({{"type", "integer"}}, row.range), row.length);
+        case Kind::numbers:
+            return list_of(number, row.length);
         case Kind::table:
             return table(row);
         default:

@@ -50,6 +50,11 @@ Row listing(Kind kind, std::string path, std::size_t length) {
     result.length = length;
     return result;
 }
+Row numbers(std::string path, std::size_t length, Dimension dimension) {
+    Row result = row(Kind::numbers, std::move(path), dimension);
+    result.length = length;
+    return result;
+}
 Row table(std::string path, std::vector<Column> columns) {
     Row result = row(Kind::table, std::move(path));
     result.columns = std::move(columns);

@@ -24,6 +24,7 @@ Row text(std::string path);
 Row choice(std::string path, std::vector<std::string> choices, Kind kind = Kind::choice);
 Row choices(std::string path, std::vector<std::string> names);
 Row listing(Kind kind, std::string path, std::size_t length);
+Row numbers(std::string path, std::size_t length, Dimension dimension = none);
 Row table(std::string path, std::vector<Column> columns);
 
 inline constexpr double kNone = std::numeric_limits<double>::infinity();

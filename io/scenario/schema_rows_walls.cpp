@@ -99,6 +99,43 @@ std::vector<Row> walls() {
             .in(kPositive)
             .says("Width of the slot. The flow rate by length grows about to its power of 1.5."),
         number("walls[slot_floor].length", length).in(kPositive).or_else("infinite").says("Length of the slot."),
+        variant("walls[terrain]")
+            .says("A surface of triangles from a file: ground that bodies stay above, or any other that they stay on "
+                  "the outer side of. It does not move. A grid of heights is solid below: nothing gets through it. A "
+                  "mesh is a sheet."),
+        text("walls[terrain].path")
+            .required()
+            .naming_file()
+            .says("The file: heights in ESRI's ASCII format (.asc, packed .asc.gz), or a mesh (.off, .obj, .stl, .ply) "
+                  "whose faces are counter-clockwise seen from the bodies' side. A relative path starts at the folder "
+                  "of the scenario that names it."),
+        choice("walls[terrain].border", {"open", "closed"})
+            .standardly("open")
+            .says("What is at the border and around holes. `open`: bodies leave over the edge and fall; the ground has "
+                  "upright sides, which are felt from outside, as far below its lowest point as it is wide. `closed`: "
+                  "upright walls that keep bodies inside, as far above its highest point as it is wide."),
+        number("walls[terrain].scale")
+            .standardly("1")
+            .in(kPositive)
+            .says("Multiplies coordinates and heights: 0.001 reads millimetres."),
+        vector("walls[terrain].offset", length).standardly("[0, 0, 0]").says("Added to each position, after `scale`."),
+        numbers("walls[terrain].cell", 2, length)
+            .in(kPositive)
+            .or_else("the file says it")
+            .says("Grids: distance between nodes along x and y in place of the file's, for a grid in degrees. The "
+                  "file's corner is then left aside: the lower left node is at `offset`."),
+        numbers("walls[terrain].crop", 4)
+            .or_else("all is used")
+            .says("Grids: only nodes within [x0, y0, x1, y1], in the coordinates of the file, before `scale` and "
+                  "`cell`."),
+        integer("walls[terrain].stride")
+            .standardly("1")
+            .in(between(1, 1e6))
+            .says("Grids: only every so many-th node along x and y is used, from the lower left on. Memory and detail "
+                  "go down with its square; a node takes about 0.5 kB on each rank."),
+        number("walls[terrain].fill_nodata", length)
+            .or_else("nodes without data are holes")
+            .says("Grids: height of nodes without data, in the file's units. Holes are treated as the border is."),
 
         section("walls[].motion")
             .or_else("the wall is fixed")

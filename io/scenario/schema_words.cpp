@@ -74,6 +74,9 @@ std::string expectation(const SchemaNode& node) {
             return fmt::format("a list out of {}", fmt::join(row.choices, ", "));
         case Kind::integers:
             return list_of(row.length, "integers" + spaced(row.range));
+        case Kind::numbers:
+            return list_of(row.length, plural(dimension_name(row.dimension)) + spaced(row.range)) +
+                   units(row.dimension);
         case Kind::table: {
             std::vector<std::string> names;
             for (const Column& column : row.columns) names.push_back(column.name);

@@ -213,6 +213,8 @@ bool ValueReader::read_list(const SchemaNode& schema, const YamlValue& yaml, con
         element.given = node.given;
         if (row.kind == Kind::integers) {
             good = read_integer(row, item, item_path, element.value.emplace<std::int64_t>()) && good;
+        } else if (row.kind == Kind::numbers) {
+            good = read_number(row.dimension, row.range, item, item_path, element.value.emplace<double>()) && good;
         } else {
             good = read_text(schema, item, item_path, element.value.emplace<std::string>()) && good;
         }

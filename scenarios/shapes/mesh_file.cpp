@@ -6,14 +6,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
-#include <tuple>
 
 #include "scenarios/shapes/convex_hull.hpp"
 #include "scenarios/shapes/mesh_formats.hpp"
@@ -25,38 +20,12 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-constexpr std::array<std::pair<const char*, Polyhedron (*)(const MeshBytes&)>, 4> kFormats = {
-    {{".off", read_off}, {".obj", read_obj}, {".stl", read_stl}, {".ply", read_ply}}};
-
 Polyhedron read_file(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const auto format =
-        std::find_if(kFormats.begin(), kFormats.end(), [&](const auto& f) { return f.first == ending; });
-    if (format == kFormats.end())
-        throw IoError(
-            fmt::format("{}: what kind of mesh it is cannot be told; a name that ends in .off, .obj, .stl or .ply "
-                        "is expected",
-                        path));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw IoError(fmt::format("{}: cannot be opened for reading", path));
     MeshBytes bytes{path, {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()}};
     if (file.bad() || std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
-    return format->second(bytes);
-}
-
-// Vertices at the very same place become one: STL repeats them for each triangle, OBJ where normals differ.
-void join_equal_vertices(Polyhedron& body) {
-    using Key = std::tuple<double, double, double>;
-    std::map<Key, std::uint32_t> seen;
-    std::vector<std::uint32_t> first;
-    for (const Vec3& x : body.vertex) {
-        const auto place = static_cast<std::uint32_t>(first.size());
-        first.push_back(x.allFinite() ? seen.insert({Key(x.x(), x.y(), x.z()), place}).first->second : place);
-    }
-    for (auto& loop : body.face)
-        for (std::uint32_t& v : loop) v = first[v];
-    if (!body.face.empty()) drop_unused_vertices(body);
+    return parse_mesh(bytes);
 }
 
 // How many pairs of triangles cross, for a mesh that passed edges_of.

@@ -20,6 +20,11 @@ Polyhedron read_obj(const MeshBytes& file);
 Polyhedron read_stl(const MeshBytes& file);  // text or binary; three corners a triangle, equal ones not yet joined
 Polyhedron read_ply(const MeshBytes& file);  // text or binary, of either byte order
 
+// By the name's ending; a fault if it is none of these.
+Polyhedron parse_mesh(const MeshBytes& file);
+// Vertices at the very same place become one: STL repeats them for each triangle, OBJ where normals differ.
+void join_equal_vertices(Polyhedron& body);
+
 // Walks through a text word by word.
 class MeshText {
   public:
