@@ -11,11 +11,6 @@
 namespace scree::app {
 namespace {
 
-std::string folder_of(const std::string& path) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    return folder.empty() ? "." : folder.string();
-}
-
 // The others know the scenario by its resolved text: rank 0 has the right lines and columns.
 void throw_if_errors(const io::Diagnostics& diagnostics, const Communicator& ranks) {
     at_root(ranks, [&] { diagnostics.throw_if_errors(); });
@@ -28,6 +23,11 @@ LoadedScenario loaded(io::ReadResult result, const std::string& name, std::share
 }
 
 }  // namespace
+
+std::string folder_of(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return folder.empty() ? "." : folder.string();
+}
 
 LoadedScenario load_scenario(const std::string& path, const std::vector<std::string>& sets, const Communicator& ranks) {
     LoadedScenario scenario;

@@ -29,6 +29,9 @@ LoadedScenario load_scenario(const std::string& path, const std::vector<std::str
 LoadedScenario load_resolved(const std::string& resolved, const std::string& name,
                              const std::vector<std::string>& sets);
 
+// `path` without its last part; "." if it has one part only.
+std::string folder_of(const std::string& path);
+
 struct BuiltScenario {
     Scene scene;
     State state;  // at time 0, ledger started; of the bodies this rank's

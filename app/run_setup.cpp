@@ -62,6 +62,7 @@ LoadedScenario scenario_to_go_on_with(const RunOptions& options, const io::Found
     if (options.scenario.empty()) {
         now.name = found.provenance.scenario_name;
         now.text = found.provenance.scenario_text;
+        now.folder = folder_of(now.name);  // terrain is read from where it was
     }
     if (!now.root.has("origin")) set_origin(now, earlier.root.vector("origin"));
     std::vector<std::string> refused;

@@ -108,12 +108,12 @@ const std::vector<Wrong> kKeys{
      "+walls:\n  - name: a\n",
      {},
      {"5:5: error: walls[0]: 'shape' is missing; expected one of plane, box, cylinder, cone, disc, orifice_floor, "
-      "slot_floor"}},
+      "slot_floor, terrain"}},
     {"unknown_form",
      "+walls:\n  - shape: plain\n",
      {},
      {"5:12: error: walls[0].shape: 'plain' (did you mean 'plane'?); expected one of plane, box, cylinder, cone, disc, "
-      "orifice_floor, slot_floor"}},
+      "orifice_floor, slot_floor, terrain"}},
     {"form_not_allowed_here",
      "+inlets:\n- {name: a, material: glass, mass_rate: 1, size: {distribution: fixed, "
      "diameter: 1}, region: {shape: sphere}}\n",
@@ -133,7 +133,7 @@ const std::vector<Wrong> kKeys{
      "+walls: [floor]\n",
      {},
      {"4:9: error: walls[0]: 'floor'; expected a map with the key 'shape', one of plane, box, cylinder, cone, disc, "
-      "orifice_floor, slot_floor"}},
+      "orifice_floor, slot_floor, terrain"}},
     {"list_for_materials",
      "scenario_version: 1\ntime: {end: 1, step: 1}\nmaterials: [a]\n",
      {},

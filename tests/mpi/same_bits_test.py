@@ -58,7 +58,42 @@ output: {contacts: true, snapshot_interval: 20 ms, fields: [velocity, spin, orie
         self.check("tilt", [path], (2, 5))
 
 
+    def test_terrain(self):
+        self.check("terrain", [terrain_scene(self), "--set", "time.end=0.4"], (2, 3, 5))
+
+
+def terrain_scene(test):
+    """Grains that fall on hills, at the coordinates of a national grid."""
+    rows = [" ".join(f"{2000 + 0.05 * ((7 * i + 5 * j * j) % 11) + 0.02 * abs(i - 12):.3f}" for i in range(25))
+            for j in range(25)]
+    rows[12] = rows[12].replace(rows[12].split()[7], "-9999", 1)
+    test.write("hills.asc", "ncols 25\nnrows 25\nxllcenter 538500\nyllcenter 5576504\ncellsize 0.1\n" + "\n".join(rows))
+    return test.write("hills.yaml", """\
+scenario_version: 1
+time: {end: 0.4 s, step: 1 ms}
+materials:
+  rock: {density: 2700 kg/m3, friction: 0.5, restitution: 0.3}
+bodies:
+  - {generator: lattice, material: rock, corner: [538500.3, 5576504.3, 2001.1], pitch: 0.18, cells: [11, 11, 2],
+     jitter: 1 cm, size: {distribution: uniform, lower: 8 cm, upper: 14 cm}, velocity: [1, 0.5, -2]}
+walls:
+  - {shape: terrain, name: hills, material: rock, path: hills.asc}
+outlets:
+  - {name: gone, region: {shape: half_space, point: [0, 0, 1995], normal: [0, 0, 1]}}
+measures:
+  - {measure: wall_force, name: load, wall: hills}
+output: {snapshot_interval: 0.1 s, fields: [velocity, spin]}
+""")
+
+
 class OnAnotherNumber(MpiTest):
+    def test_terrain_goes_on(self):
+        scene = terrain_scene(self)
+        self.scree("run", scene, "--out", "whole", "-q", code=0)
+        self.on(3, "run", scene, "--set", "time.end=0.2", "--out", "parts", "-q", code=0)
+        self.on(2, "run", "--resume", "--set", "time.end=0.4", "--out", "parts", "-q", code=0)
+        self.assert_same_run("whole", "parts")
+
     def test_stopped_on_three_goes_on_on_two(self):
         arguments = [SMALL, *POT, "--set", "time.end=0.3"]
         self.scree("run", *arguments, "--out", "whole", "-q", code=0)

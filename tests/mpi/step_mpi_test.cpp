@@ -11,6 +11,7 @@
 #include "solvers/energy.hpp"
 #include "solvers/stepper.hpp"
 #include "tests/mpi/dealt.hpp"
+#include "tests/testing/height_grid.hpp"
 
 namespace scree {
 namespace {
@@ -117,6 +118,28 @@ TEST(StepOnRanks, RandomScenesHaveTheSameBits) {
     for (unsigned seed = 0; seed < scenes; ++seed) {
         std::uint64_t left = 0;
         same_steps(random_scene(seed), 25, seed, left);
+        if (HasFatalFailure()) return;
+    }
+}
+
+// The same heaps fall on noise, of cells from a tenth of a body to ten bodies, with a hole and with either border.
+TEST(StepOnRanks, RandomScenesOnTerrainHaveTheSameBits) {
+    const unsigned scenes = world().size() <= 3 ? 60 : 15;
+    for (unsigned seed = 0; seed < scenes; ++seed) {
+        SmallScene w = random_scene(seed);
+        const BoxWall box = std::get<BoxWall>(w.scene.walls[0].shape);
+        std::mt19937_64 draw(seed);
+        const double side = box.upper.x(),
+                     cell = std::max(0.01 * std::pow(10.0, uniform(draw, -1.0, 1.0)), side / 80.0);
+        HeightGrid grid =
+            testing::noisy_grid(static_cast<std::uint32_t>(2.4 * side / cell) + 3, cell, 0.5 * cell, seed);
+        if (seed % 3 != 0) grid.height[grid.height.size() / 2] = testing::kNoData;
+        const TerrainBorder border = seed % 2 == 0 ? TerrainBorder::open : TerrainBorder::closed;
+        w.scene.walls.clear();
+        w.add_wall(testing::wall_of(grid, border));
+        for (Vec3& x : w.state.bodies.position) x.z() += 0.5 * cell + 0.03;
+        std::uint64_t left = 0;
+        same_steps(w, 120, seed, left);
         if (HasFatalFailure()) return;
     }
 }

@@ -1,0 +1,76 @@
+"""Terrain from the command line: what check and explain say, faults of its file, a moved scene, a run that goes on."""
+
+import os
+
+import h5py
+import numpy as np
+
+from scree_cli import CliTest, main
+
+SCENE = """\
+scenario_version: 1
+time: {{end: 0.5 s, step: 1 ms}}
+materials:
+  rock: {{density: 2700 kg/m3, friction: 0.5, restitution: 0.3}}
+bodies:
+  - {{generator: lattice, material: rock, corner: [{x}.25, {y}.25, 1.5], pitch: 0.25, cells: [6, 6, 1],
+     size: {{distribution: fixed, diameter: 0.2}}, velocity: [1, 0.5, 0]}}
+walls:
+  - {{shape: terrain, name: hills, material: rock, path: data/hills.asc}}
+output: {{fields: [velocity], snapshot_interval: 0.25 s}}
+"""
+
+
+class Terrain(CliTest):
+    def scene(self, name, x=0, y=0):
+        rows = [" ".join(f"{0.03 * ((7 * i + 5 * j * j) % 11):.2f}" for i in range(25)) for j in range(25)]
+        os.makedirs(self.path(name, "data"), exist_ok=True)
+        self.write(f"{name}/data/hills.asc", f"ncols 25\nnrows 25\nxllcenter {x}\nyllcenter {y}\ncellsize 0.125\n" +
+                   "\n".join(rows))
+        return self.write(f"{name}/scene.yaml", SCENE.format(x=x, y=y))
+
+    def final(self, out):
+        with h5py.File(self.path(out, "snapshots/000002.h5")) as file:
+            return file["bodies/position"][:], file["bodies/velocity"][:]
+
+    def test_check_says_what_it_is(self):
+        out = self.scree("check", self.scene("a"), code=0).out
+        self.assertIn("hills: terrain of 1152 triangles, 25 x 25 nodes 0.125 x 0.125 m apart, (0, 0, 0) m to "
+                      "(3, 3, 0.3) m, open border", out)
+        self.assertIn("on   terrain          wall `hills` is one", out)
+        low = self.scree("check", self.scene("a"), "--set", "bodies[0].corner=[0.25, 0.25, -0.3]", code=0).out
+        self.assertIn("36 ", low[low.index("warning"):])  # every one of them lies in the ground
+
+    def test_explain(self):
+        out = self.scree("explain", "walls[terrain].path", code=0).out
+        self.assertIn(".asc.gz", out)
+        self.assertIn("open", self.scree("explain", "walls[terrain].border", code=0).out)
+
+    def test_faults_of_the_file(self):
+        scene = self.scene("a")
+        with open(self.path("a/data/hills.asc"), encoding="utf-8") as file:
+            text = file.read()
+        self.write("a/data/hills.asc", text.replace("0.30", "high", 1))
+        result = self.scree("check", scene, code=3)
+        self.assertRegex(result.err, r"data/hills\.asc:\d+:1: error: 'high' is no number")
+        os.remove(self.path("a/data/hills.asc"))
+        self.assertRegex(self.scree("run", scene, code=3).err, r"scene\.yaml:9:\d+: error: walls\[0\]\.path: .*hills\.asc")
+
+    def test_a_scene_far_away_is_the_same(self):
+        self.scree("run", self.scene("here"), "--out", "near", "-q", code=0)
+        self.scree("run", self.scene("there", 5000000, 3000000), "--out", "far", "-q", code=0)
+        (x, v), (far_x, far_v) = self.final("near"), self.final("far")
+        self.assertLess(np.abs(far_x - [5000000, 3000000, 0] - x).max(), 1e-6)
+        self.assertLess(np.abs(far_v - v).max(), 1e-6)
+        self.assertGreater(np.abs(v).max(), 0.1)
+
+    def test_goes_on_where_it_stopped(self):
+        scene = self.scene("a")
+        self.scree("run", scene, "--out", "whole", "-q", code=0)
+        self.scree("run", scene, "--out", "parts", "--set", "time.end=0.25", "-q", code=0)
+        self.scree("run", "--resume", "--out", "parts", "--set", "time.end=0.5", "-q", code=0)
+        self.assert_same_run("whole", "parts")
+
+
+if __name__ == "__main__":
+    main()
