@@ -44,4 +44,7 @@ struct ConvexShape {
     }
 };
 
+// Makes `link_begin` and `link` from the edges.
+void link_vertices(ConvexShape& shape);
+
 }  // namespace scree

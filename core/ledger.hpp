@@ -19,11 +19,12 @@ enum class Work : std::size_t {
     gravity,      // potential energy given by a change of gravity in time
     inlets,       // kinetic and potential energy of bodies that came
     outlets,      // and that went (negative)
+    rotation,     // kinetic energy of free rotation that the time step does not keep exactly (asymmetric bodies only)
     count_
 };
 inline constexpr std::size_t kWorkCount = static_cast<std::size_t>(Work::count_);
 inline constexpr std::array<std::string_view, kWorkCount> kWorkNames = {
-    "restitution", "friction", "walls", "correction", "gravity", "inlets", "outlets"};
+    "restitution", "friction", "walls", "correction", "gravity", "inlets", "outlets", "rotation"};
 
 struct Ledger {
     double kinetic_0 = 0.0, potential_0 = 0.0;  // [J] at the start

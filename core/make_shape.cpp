@@ -174,20 +174,6 @@ BodyFrame body_frame(const Polyhedron& body, const VolumeIntegrals& first, doubl
     return frame;
 }
 
-void add_links(ConvexShape& shape) {
-    std::vector<std::vector<std::uint32_t>> links(shape.vertex.size());
-    for (const auto& edge : shape.edge) {
-        links[edge.from].push_back(edge.to);
-        links[edge.to].push_back(edge.from);
-    }
-    shape.link_begin.push_back(0);
-    for (auto& list : links) {
-        std::sort(list.begin(), list.end());
-        shape.link.insert(shape.link.end(), list.begin(), list.end());
-        shape.link_begin.push_back(static_cast<std::uint32_t>(shape.link.size()));
-    }
-}
-
 }  // namespace
 
 PlacedShape make_shape(const Polyhedron& given, double relative) {
@@ -219,7 +205,7 @@ PlacedShape make_shape(const Polyhedron& given, double relative) {
     shape.face = planes_of(body, tolerance);
     for (const auto& loop : body.face) shape.corner.insert(shape.corner.end(), loop.begin(), loop.end());
     shape.vertex = std::move(body.vertex);
-    add_links(shape);
+    link_vertices(shape);
     shape.volume = frame.volume;
     shape.inertia = frame.inertia;
     shape.inner_radius = std::numeric_limits<double>::infinity();

@@ -60,7 +60,9 @@ void decide_laws(Plan& plan, const Scene& scene, const Bodies& bodies, const Com
     plan.restitution = e.value > 0.0;
     // A checkpoint of a run with friction carries spins: the run goes on as it began, even if the bodies that had
     // friction are gone.
-    plan.friction = mu.value > 0.0 || ranks.any(bodies.has_spin());
+    plan.polyhedra = ranks.any(bodies.has_shapes());
+    plan.friction = mu.value > 0.0 || (!plan.polyhedra && ranks.any(bodies.has_spin()));
+    plan.spin = plan.friction || plan.polyhedra;
 
     const auto add = [&](const char* feature, bool on, std::string reason) {
         plan.lines.push_back({feature, on, std::move(reason)});
@@ -83,11 +85,15 @@ void decide_laws(Plan& plan, const Scene& scene, const Bodies& bodies, const Com
 
 void decide_outputs(Plan& plan, const Scene& scene) {
     const auto& fields = scene.output.fields;
-    plan.orientation = std::find(fields.begin(), fields.end(), "orientation") != fields.end();
-    plan.lines.push_back({"orientation", plan.orientation,
-                          plan.orientation
-                              ? "output.fields has `orientation`"
-                              : "not integrated: output.fields has no `orientation`, and spheres need none"});
+    const bool asked = std::find(fields.begin(), fields.end(), "orientation") != fields.end();
+    plan.orientation = plan.polyhedra || asked;
+    std::string why = "not integrated: output.fields has no `orientation`, and spheres need none";
+    if (plan.polyhedra) {
+        why = "polyhedra turn";
+    } else if (asked) {
+        why = "output.fields has `orientation`";
+    }
+    plan.lines.push_back({"orientation", plan.orientation, why});
 
     const auto reads_contacts = [](const Measure& m) { return m.kind == MeasureKind::coordination; };
     const auto measure = std::find_if(scene.measures.begin(), scene.measures.end(), reads_contacts);
@@ -148,7 +154,9 @@ Plan make_plan(const Scene& scene, const Bodies& bodies, const Communicator& ran
     decide_outputs(plan, scene);
     decide_surroundings(plan, scene);
     decide_method(plan, scene);
-    plan.lines.push_back({"polyhedra", false, "every body is a sphere"});
+    plan.lines.push_back({"polyhedra", plan.polyhedra,
+                          plan.polyhedra ? "some bodies are polyhedra: contacts have lever arms and 3x3 local problems"
+                                         : "every body is a sphere"});
     const auto terrain = std::find_if(scene.walls.begin(), scene.walls.end(),
                                       [](const Wall& w) { return std::holds_alternative<TerrainWall>(w.shape); });
     plan.lines.push_back({"terrain", terrain != scene.walls.end(),

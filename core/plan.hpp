@@ -17,9 +17,11 @@ struct PlanLine {
 };
 
 struct Plan {
-    bool friction = false;     // tangential impulses, spin
+    bool friction = false;  // tangential impulses
+    bool spin = false;      // friction, or bodies that are not spheres
+    bool polyhedra = false;
     bool restitution = false;  // any e > 0 among pairs that can meet
-    bool orientation = false;  // an output asks for it
+    bool orientation = false;  // an output asks for it, or bodies are not spheres
     bool moving_walls = false;
     bool correction = false;
     bool warm_start = false;

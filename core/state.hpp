@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bodies.hpp"
+#include "core/convex_shape.hpp"
 #include "core/ids.hpp"
 #include "core/ledger.hpp"
 #include "core/scene.hpp"
@@ -48,6 +49,9 @@ struct State {
     double block_size = 0.0;    // [m] edge of the blocks that order the work; 0: not chosen yet
     // Of this rank: its own bodies and, while a run goes on, the ghosts among them; likewise the impulses.
     Bodies bodies;
+    // By ShapeIndex, the same on all ranks; constant during a run, but a restart cannot make them anew. Empty when all
+    // bodies are spheres.
+    std::vector<ConvexShape> shapes;
     WarmStart warm_start;
     std::vector<InletState> inlets;      // one an inlet
     std::vector<OutletState> outlets;    // one an outlet

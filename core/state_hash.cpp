@@ -37,6 +37,7 @@ std::uint64_t body_word(const Bodies& bodies, std::size_t i) {
     if (bodies.has_orientation()) hash.add(bodies.orientation[i]);
     hash.add(bodies.velocity[i]);
     if (bodies.has_spin()) hash.add(bodies.spin[i]);
+    if (bodies.has_shapes()) hash.add(std::uint64_t{raw(bodies.shape[i])});
     return hash.value();
 }
 

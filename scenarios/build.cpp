@@ -71,6 +71,8 @@ void keep_part(const Communicator& ranks, BodyList& bodies) {
     keep(part, bodies.position);
     keep(part, bodies.velocity);
     keep(part, bodies.spin);
+    keep(part, bodies.shape);
+    keep(part, bodies.orientation);
 }
 
 BodyList generate(const io::Node& scenario, const std::vector<BodyFile>& files, const Context& context,
@@ -107,23 +109,32 @@ State make_state(BodyList list, const Scene& scene, const io::Node& scenario, co
                       fmt::format("{} bodies are more than one rank can hold ({:g})", most, kMostBodies));
         return state;
     }
+    const bool polyhedra = !list.shapes.empty();
     for (std::size_t i = 0; i < list.size(); ++i) {
+        const double density = scene.materials[raw(list.material[i])].density, radius = list.radius[i];
+        const ConvexShape* shape = list.shape[i] == kSphere ? nullptr : &list.shapes[raw(list.shape[i])];
         bodies.id.push_back(BodyId{list.id[i]});
-        bodies.mass.push_back(Bodies::sphere_mass(list.radius[i], scene.materials[raw(list.material[i])].density));
+        bodies.mass.push_back(shape == nullptr ? Bodies::sphere_mass(radius, density) : density * shape->volume);
+        if (!polyhedra) continue;
+        bodies.inertia.push_back(shape == nullptr
+                                     ? Vec3::Constant(Bodies::kSphereInertia * bodies.mass.back() * radius * radius)
+                                     : Vec3(density * shape->inertia));
     }
+    if (polyhedra) bodies.shape = std::move(list.shape);
+    state.shapes = std::move(list.shapes);
     bodies.radius = std::move(list.radius);
     bodies.material = std::move(list.material);
     bodies.position = std::move(list.position);
     bodies.velocity = std::move(list.velocity);
     const Plan plan = make_plan(scene, bodies, ranks);
-    if (plan.friction) {
+    if (plan.spin) {
         bodies.spin = std::move(list.spin);
     } else if (ranks.any(
                    std::any_of(list.spin.begin(), list.spin.end(), [](const Vec3& w) { return !w.isZero(0.0); }))) {
         context.warning(scenario.at("bodies"),
                         "the spin of bodies has no effect where nothing has friction, and is left out");
     }
-    if (plan.orientation) bodies.orientation.assign(bodies.size(), Quat::Identity());
+    if (plan.orientation) bodies.orientation = std::move(list.orientation);
     state.next_id = list.next_id;
     state.inlets.resize(scene.inlets.size());
     state.outlets.resize(scene.outlets.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/bodies.hpp"
+#include "core/convex_shape.hpp"
 #include "core/parallel/communicator.hpp"
 #include "core/scene.hpp"
 #include "scenarios/context.hpp"
@@ -32,6 +33,9 @@ struct BodyList {
     std::vector<double> radius;     // [m]
     std::vector<MaterialIndex> material;
     std::vector<Vec3> position, velocity, spin;  // [m], [m/s], [rad/s]
+    std::vector<ShapeIndex> shape;               // kSphere or an index of `shapes`
+    std::vector<Quat> orientation;               // of the body frame
+    std::vector<ConvexShape> shapes;             // the same on all ranks; empty while all bodies are spheres
     std::uint64_t next_id = 0;                   // of the next generator's first body: the same on all ranks
 
     std::size_t size() const { return radius.size(); }
@@ -42,6 +46,19 @@ struct BodyList {
         position.push_back(x);
         velocity.push_back(v);
         spin.push_back(w);
+        shape.push_back(kSphere);
+        orientation.push_back(Quat::Identity());
+    }
+    // A polyhedron: `x` is its centre of mass, `q` turns the axes of its shape into the world's.
+    void add(std::uint64_t i, ShapeIndex s, MaterialIndex m, const Vec3& x, const Quat& q, const Vec3& v,
+             const Vec3& w) {
+        add(i, shapes[raw(s)].radius, m, x, v, w);
+        shape.back() = s;
+        orientation.back() = q;
+    }
+    ShapeIndex add_shape(ConvexShape s) {
+        shapes.push_back(std::move(s));
+        return ShapeIndex{static_cast<std::uint32_t>(shapes.size() - 1)};
     }
 };
 

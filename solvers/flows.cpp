@@ -34,6 +34,8 @@ void remove(const std::vector<std::uint8_t>& goes, Bodies& bodies) {
     keep(bodies.velocity, goes);
     keep(bodies.spin, goes);
     keep(bodies.orientation, goes);
+    keep(bodies.shape, goes);
+    keep(bodies.inertia, goes);
     keep(bodies.ghost, goes);
 }
 
@@ -116,8 +118,12 @@ void add_body(const Plan& plan, const Inlet& inlet, const Arrival& made, double 
     bodies.material.push_back(inlet.material);
     bodies.position.push_back(made.position);
     bodies.velocity.push_back(inlet.velocity);
-    if (plan.friction) bodies.spin.push_back(Vec3::Zero());
+    if (plan.spin) bodies.spin.push_back(Vec3::Zero());
     if (plan.orientation) bodies.orientation.push_back(Quat::Identity());
+    if (plan.polyhedra) {  // inlets make spheres
+        bodies.shape.push_back(kSphere);
+        bodies.inertia.push_back(Vec3::Constant(Bodies::kSphereInertia * mass * made.radius * made.radius));
+    }
     if (!bodies.ghost.empty()) bodies.ghost.push_back(0);
 }
 

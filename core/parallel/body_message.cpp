@@ -23,27 +23,42 @@ BodyData body_data(const Bodies& bodies, std::size_t i) {
     b.velocity = bodies.velocity[i];
     if (bodies.has_spin()) b.spin = bodies.spin[i];
     if (bodies.has_orientation()) std::copy_n(bodies.orientation[i].coeffs().data(), 4, b.orientation.begin());
+    if (bodies.has_shapes()) {
+        b.shape = bodies.shape[i];
+        b.inertia = bodies.inertia[i];
+    }
     return b;
 }
 
-void append_body(const BodyData& data, bool spin, bool orientation, Bodies& bodies) {
+void append_body(const BodyData& data, const Bodies::Arrays& arrays, Bodies& bodies) {
     bodies.radius.push_back(data.radius);
     bodies.mass.push_back(data.mass);
     bodies.material.push_back(data.material);
     bodies.position.push_back(data.position);
     bodies.velocity.push_back(data.velocity);
-    if (spin) bodies.spin.push_back(data.spin);
-    if (orientation) {
+    if (arrays.spin) bodies.spin.push_back(data.spin);
+    if (arrays.orientation) {
         bodies.orientation.emplace_back();
         std::copy_n(data.orientation.begin(), 4, bodies.orientation.back().coeffs().data());
     }
+    if (arrays.shape) {
+        bodies.shape.push_back(data.shape);
+        bodies.inertia.push_back(data.inertia);
+    }
+}
+
+Bodies::Arrays arrays_of_all(const Bodies& bodies, const Communicator& ranks) {
+    const Bodies::Arrays own = bodies.arrays();
+    std::array<std::uint64_t, 3> any{own.spin ? 1U : 0U, own.orientation ? 1U : 0U, own.shape ? 1U : 0U};
+    ranks.max(std::span(any));
+    return {any[0] != 0, any[1] != 0, any[2] != 0};
 }
 
 bool BodyMessage::held_by(int rank) const {
     return holders.empty() ? rank == owner : std::binary_search(holders.begin(), holders.end(), rank);
 }
 
-void BodyMessage::put(Packer& packer, bool with_data, bool spin, bool orientation) const {
+void BodyMessage::put(Packer& packer, bool with_data, const Bodies::Arrays& arrays) const {
     packer.put(id);
     packer.put(owner);
     packer.put(room);
@@ -56,11 +71,15 @@ void BodyMessage::put(Packer& packer, bool with_data, bool spin, bool orientatio
     packer.put(data.material);
     put_numbers(packer, data.position.data(), 3);
     put_numbers(packer, data.velocity.data(), 3);
-    if (spin) put_numbers(packer, data.spin.data(), 3);
-    if (orientation) put_numbers(packer, data.orientation.data(), 4);
+    if (arrays.spin) put_numbers(packer, data.spin.data(), 3);
+    if (arrays.orientation) put_numbers(packer, data.orientation.data(), 4);
+    if (arrays.shape) {
+        packer.put(data.shape);
+        put_numbers(packer, data.inertia.data(), 3);
+    }
 }
 
-BodyMessage BodyMessage::get(Unpacker& unpacker, bool spin, bool orientation) {
+BodyMessage BodyMessage::get(Unpacker& unpacker, const Bodies::Arrays& arrays) {
     BodyMessage m;
     m.id = unpacker.get<std::uint64_t>();
     m.owner = unpacker.get<std::int32_t>();
@@ -74,8 +93,12 @@ BodyMessage BodyMessage::get(Unpacker& unpacker, bool spin, bool orientation) {
     m.data.material = unpacker.get<MaterialIndex>();
     get_numbers(unpacker, m.data.position.data(), 3);
     get_numbers(unpacker, m.data.velocity.data(), 3);
-    if (spin) get_numbers(unpacker, m.data.spin.data(), 3);
-    if (orientation) get_numbers(unpacker, m.data.orientation.data(), 4);
+    if (arrays.spin) get_numbers(unpacker, m.data.spin.data(), 3);
+    if (arrays.orientation) get_numbers(unpacker, m.data.orientation.data(), 4);
+    if (arrays.shape) {
+        m.data.shape = unpacker.get<ShapeIndex>();
+        get_numbers(unpacker, m.data.inertia.data(), 3);
+    }
     return m;
 }
 

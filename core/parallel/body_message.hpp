@@ -15,9 +15,13 @@ struct BodyData {
     MaterialIndex material{};
     Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
     std::array<double, 4> orientation{};  // coefficients as Eigen keeps them; a Quat would be over-aligned
+    ShapeIndex shape = kSphere;
+    Vec3 inertia = Vec3::Zero();
 };
 BodyData body_data(const Bodies& bodies, std::size_t i);
-void append_body(const BodyData& data, bool spin, bool orientation, Bodies& bodies);  // without its id
+void append_body(const BodyData& data, const Bodies::Arrays& arrays, Bodies& bodies);  // without its id
+// The arrays that the bodies of any rank have. Collective.
+Bodies::Arrays arrays_of_all(const Bodies& bodies, const Communicator& ranks);
 
 // What the owner of a body tells those who hold it or held it.
 struct BodyMessage {
@@ -29,8 +33,8 @@ struct BodyMessage {
     BodyData data;
 
     bool held_by(int rank) const;
-    void put(Packer& packer, bool with_data, bool spin, bool orientation) const;
-    static BodyMessage get(Unpacker& unpacker, bool spin, bool orientation);
+    void put(Packer& packer, bool with_data, const Bodies::Arrays& arrays) const;
+    static BodyMessage get(Unpacker& unpacker, const Bodies::Arrays& arrays);
 };
 
 }  // namespace scree

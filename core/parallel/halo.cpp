@@ -42,11 +42,11 @@ void Halo::rebuild(const Partition& partition, const Settings& settings, const s
     for (std::size_t i = 0; i < bodies.size(); ++i)
         room[i] = room_to_move(bodies.radius[i], bodies.velocity[i].norm(), settings.step, margin[i]);
     // ranks without a body know by the others which arrays there are
-    const bool spin = ranks_.any(bodies.has_spin()), orientation = ranks_.any(bodies.has_orientation());
+    const Bodies::Arrays arrays = arrays_of_all(bodies, ranks_);
     std::vector<BodyMessage> now = decide(partition, settings, bodies, room);
-    exchange(bodies, now, spin, orientation);
+    exchange(bodies, now, arrays);
     const std::vector<BodyId> before = bodies.id;
-    lay_out(now, spin, orientation, bodies);
+    lay_out(now, arrays, bodies);
     forward_impulses(state, partition, settings.block_size, now, before, rebuilds_ == 1);
     index_neighbours();
 }
@@ -101,7 +101,7 @@ std::vector<BodyMessage> Halo::decide(const Partition& partition, const Settings
 }
 
 // Those who held a body, and those who will, hear of it from its owner; the latter get it whole.
-void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool spin, bool orientation) {
+void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, const Bodies::Arrays& arrays) {
     Outbox out;
     std::size_t own = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -114,7 +114,7 @@ void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool sp
         for (const int rank : to) {
             if (rank == ranks_.rank()) continue;
             const bool held = std::binary_search(other_[i].begin(), other_[i].end(), rank);
-            body.put(out[rank], body.held_by(rank) && !held, spin, orientation);
+            body.put(out[rank], body.held_by(rank) && !held, arrays);
         }
     }
     const std::vector<Communicator::Message> outgoing = out.take();
@@ -124,7 +124,7 @@ void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool sp
     }
     for (const auto& message : ranks_.exchange(outgoing))
         for (Unpacker unpacker(message.bytes); !unpacker.empty();) {
-            BodyMessage body = BodyMessage::get(unpacker, spin, orientation);
+            BodyMessage body = BodyMessage::get(unpacker, arrays);
             if (!body.has_data) {
                 const auto at = std::lower_bound(bodies.id.begin(), bodies.id.end(), BodyId{body.id});
                 body.data = body_data(bodies, static_cast<std::size_t>(at - bodies.id.begin()));
@@ -137,7 +137,7 @@ void Halo::exchange(const Bodies& bodies, std::vector<BodyMessage>& now, bool sp
     std::inplace_merge(now.begin(), middle, now.end(), by_id);
 }
 
-void Halo::lay_out(std::vector<BodyMessage>& now, bool spin, bool orientation, Bodies& bodies) {
+void Halo::lay_out(std::vector<BodyMessage>& now, const Bodies::Arrays& arrays, Bodies& bodies) {
     Bodies laid;
     other_.clear();
     place_.clear();
@@ -145,7 +145,7 @@ void Halo::lay_out(std::vector<BodyMessage>& now, bool spin, bool orientation, B
     for (const BodyMessage& body : now) {
         if (!body.held_by(ranks_.rank())) continue;
         laid.id.push_back(BodyId{body.id});
-        append_body(body.data, spin, orientation, laid);
+        append_body(body.data, arrays, laid);
         laid.ghost.push_back(body.owner == ranks_.rank() ? 0 : 1);
         other_.push_back(body.holders);
         if (!body.holders.empty()) std::erase(other_.back(), ranks_.rank());

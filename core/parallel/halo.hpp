@@ -86,8 +86,8 @@ class Halo {
                                       const std::vector<double>& room) const;
     std::vector<BodyMessage> decide(const Partition& partition, const Settings& settings, const Bodies& bodies,
                                     const std::vector<double>& room);
-    void exchange(const Bodies& bodies, std::vector<BodyMessage>& bodies_now, bool spin, bool orientation);
-    void lay_out(std::vector<BodyMessage>& bodies_now, bool spin, bool orientation, Bodies& bodies);
+    void exchange(const Bodies& bodies, std::vector<BodyMessage>& bodies_now, const Bodies::Arrays& arrays);
+    void lay_out(std::vector<BodyMessage>& bodies_now, const Bodies::Arrays& arrays, Bodies& bodies);
     void index_neighbours();
     bool takes_impulse(const ContactKey& key, const Bodies& bodies, const Partition& partition,
                        double block_size) const;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/errors.hpp"
+#include "core/parallel/body_message.hpp"
 
 namespace scree {
 namespace {
@@ -115,8 +116,7 @@ BodySlice slice_bodies(const Bodies& bodies, std::uint64_t granule, const Commun
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!bodies.is_ghost(i)) rows.push_back({{raw(bodies.id[i]), 0, 0}, i});
     BodySlice slice;
-    slice.spins = ranks.any(bodies.has_spin());
-    slice.orientations = ranks.any(bodies.has_orientation());
+    slice.arrays = arrays_of_all(bodies, ranks);
     const SortedSlices slices(std::move(rows), granule, ranks);
     Bodies& own = slice.bodies;
     own.id = slices.move(bodies.id);
@@ -125,8 +125,12 @@ BodySlice slice_bodies(const Bodies& bodies, std::uint64_t granule, const Commun
     own.material = slices.move(bodies.material);
     own.position = slices.move(bodies.position);
     own.velocity = slices.move(bodies.velocity);
-    if (slice.spins) own.spin = slices.move(bodies.spin);
-    if (slice.orientations) own.orientation = slices.move(bodies.orientation);
+    if (slice.arrays.spin) own.spin = slices.move(bodies.spin);
+    if (slice.arrays.orientation) own.orientation = slices.move(bodies.orientation);
+    if (slice.arrays.shape) {
+        own.shape = slices.move(bodies.shape);
+        own.inertia = slices.move(bodies.inertia);
+    }
     return slice;
 }
 

@@ -90,7 +90,7 @@ class SortedSlices {
 // Own bodies (no ghosts), by id.
 struct BodySlice {
     Bodies bodies;
-    bool spins = false, orientations = false;  // equal on all ranks, those without bodies too
+    Bodies::Arrays arrays;  // equal on all ranks, those without bodies too
 };
 BodySlice slice_bodies(const Bodies& bodies, std::uint64_t granule, const Communicator& ranks);
 // `own`: disjoint over ranks.

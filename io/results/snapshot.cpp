@@ -28,8 +28,8 @@ std::vector<Vec3> shifted(const std::vector<Vec3>& positions, const Vec3& origin
     return out;
 }
 
-// `spins`, `orientations`: whether the run has them; a rank without bodies cannot see it.
-void write_bodies(SharedFile& file, const Scene& scene, const Bodies& bodies, bool spins, bool orientations,
+// `arrays`: those that the run has; a rank without bodies cannot see it.
+void write_bodies(SharedFile& file, const Scene& scene, const Bodies& bodies, const Bodies::Arrays& arrays,
                   const Layout& layout) {
     const auto write = [&](const char* field, const Rows& rows, const Meaning& meaning) {
         file.rows(std::string("bodies/") + field, rows, meaning, layout);
@@ -44,14 +44,14 @@ void write_bodies(SharedFile& file, const Scene& scene, const Bodies& bodies, bo
     write("position", rows_of(shifted(bodies.position, scene.origin)), {"m", "centre", "world"});
     write("radius", rows_of(bodies.radius), {"m", "radius"});
     if (asked("velocity")) write("velocity", rows_of(bodies.velocity), {"m/s", "velocity of the centre", "world"});
-    if (asked("spin") && spins) write("spin", rows_of(bodies.spin), {"rad/s", "angular velocity", "world"});
+    if (asked("spin") && arrays.spin) write("spin", rows_of(bodies.spin), {"rad/s", "angular velocity", "world"});
     if (asked("mass")) write("mass", rows_of(bodies.mass), {"kg", "mass"});
     if (asked("material")) {
         std::vector<std::int32_t> material;
         for (MaterialIndex m : bodies.material) material.push_back(raw(m));
         write("material", rows_of(material), {"1", "row of /materials"});
     }
-    if (asked("orientation") && orientations) {
+    if ((arrays.shape || asked("orientation")) && arrays.orientation) {
         std::vector<double> wxyz;
         for (const Quat& q : bodies.orientation) wxyz.insert(wxyz.end(), {q.w(), q.x(), q.y(), q.z()});
         Rows rows = rows_of(wxyz);
@@ -165,11 +165,13 @@ void write_snapshot(const std::string& path, std::uint64_t number, const Scene& 
     });
     if (ranks.alone()) {
         const Bodies& b = state.bodies;
-        write_bodies(file, scene, b, b.spin.size() == b.size(), b.orientation.size() == b.size(), layout);
+        write_bodies(file, scene, b, {b.spin.size() == b.size(), b.orientation.size() == b.size(), b.has_shapes()},
+                     layout);
     } else {
         const BodySlice slice = slice_bodies(state.bodies, kPackedRows, ranks);
         const bool none = ranks.all(slice.bodies.size() == 0);  // empty arrays are arrays of no bodies
-        write_bodies(file, scene, slice.bodies, slice.spins || none, slice.orientations || none, layout);
+        const Bodies::Arrays& has = slice.arrays;
+        write_bodies(file, scene, slice.bodies, {has.spin || none, has.orientation || none, has.shape}, layout);
     }
     if (scene.output.contacts) write_contacts(file, scene, slice_contacts(contacts, kPackedRows, ranks), layout);
     file.close();

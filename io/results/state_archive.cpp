@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/errors.hpp"
+#include "core/flat_shapes.hpp"
 #include "core/parallel/sorted_slices.hpp"
 #include "io/checksum.hpp"
 #include "io/hdf5/hdf5_file.hpp"
@@ -227,15 +228,47 @@ void visit_bodies(Archive& a, B& b) {
     each(a, "bodies/position", b.position, {"m", "centre, relative to the scene's origin", "scene"});
     each(a, "bodies/velocity", b.velocity, {"m/s", "velocity", "world"});
     each(a, "bodies/spin", b.spin, {"rad/s", "angular velocity; empty without friction", "world"});
-    each(a, "bodies/orientation", b.orientation, {"1", "quaternion w, x, y, z; empty if no output asks", "world"});
+    each(a, "bodies/orientation", b.orientation, {"1", "quaternion w, x, y, z; empty if nothing needs it", "world"});
+    each(a, "bodies/shape", b.shape, {"1", "index of the shape, 2^32 - 1 for a sphere; empty if all are spheres"});
+    each(a, "bodies/inertia", b.inertia, {"kg m2", "principal moments; empty if all are spheres", "body"});
+}
+
+// Shapes are the same on all ranks.
+template <class Archive, class S>
+void visit_shapes(Archive& a, S& shapes) {
+    std::uint64_t count = shapes.size();
+    single(a, "shapes/count", count, {"1", "shapes of bodies that are not spheres"});
+    if (count == 0) return;
+    FlatShapes flat;
+    if constexpr (!Archive::kReading) flat = flatten(shapes);
+    whole(a, "shapes/vertices", flat.vertices, {"1", "vertices of each shape"});
+    whole(a, "shapes/faces", flat.faces, {"1", "faces of each shape"});
+    whole(a, "shapes/corners", flat.corners, {"1", "corners of all faces of each shape"});
+    whole(a, "shapes/edges", flat.edges, {"1", "edges of each shape"});
+    whole(a, "shapes/volume", flat.volume, {"m3", "volume"});
+    whole(a, "shapes/radius", flat.radius, {"m", "of the ball about the centre of mass that holds it"});
+    whole(a, "shapes/inner_radius", flat.inner_radius, {"m", "of the ball about the centre of mass inside of it"});
+    whole(a, "shapes/inertia", flat.inertia, {"m5", "principal moments of the volume", "body"});
+    whole(a, "shapes/vertex", flat.vertex, {"m", "vertices, shape after shape", "body"});
+    whole(a, "shapes/face_normal", flat.face_normal, {"1", "outward", "body"});
+    whole(a, "shapes/face_offset", flat.face_offset, {"m", "normal . x on the face"});
+    whole(a, "shapes/sides", flat.sides, {"1", "corners of each face"});
+    whole(a, "shapes/corner", flat.corner, {"1", "vertices of the faces, counted from the first of the shape"});
+    whole(a, "shapes/edge_from", flat.from, {"1", "vertex"});
+    whole(a, "shapes/edge_to", flat.to, {"1", "vertex"});
+    whole(a, "shapes/edge_left", flat.left, {"1", "face that has the edge from `from` to `to`"});
+    whole(a, "shapes/edge_right", flat.right, {"1", "the other face"});
+    if constexpr (Archive::kReading) shapes = unflatten(flat);
 }
 
 template <class Archive, class W>
 void visit_warm_start(Archive& a, W& w) {
     a.contacts_here();
     a.slice("warm_start/a", w.key, [](auto& k) -> auto& { return k.a; }, {"1", "body id"});
-    a.slice("warm_start/b", w.key, [](auto& k) -> auto& { return k.b; }, {"1", "body id, or 2^63 + wall index"});
-    a.slice("warm_start/feature", w.key, [](auto& k) -> auto& { return k.feature; }, {"1", "surface of the wall"});
+    a.slice("warm_start/b", w.key, [](auto& k) -> auto& { return k.b; },
+            {"1", "body id, or 2^63 + 2^32 wall index + part of it"});
+    a.slice("warm_start/feature", w.key, [](auto& k) -> auto& { return k.feature; },
+            {"1", "what meets: surface of a wall, features of polyhedra"});
     each(a, "warm_start/impulse_vector", w.impulse_vector, {"N s", "impulse on a; with friction", "world"});
     each(a, "warm_start/impulse_normal", w.impulse_normal, {"N s", "normal impulse; without friction"});
     single(a, "warm_start/step", w.step, {"s", "length of the step that the impulses belong to"});
@@ -294,7 +327,8 @@ void visit_ledger(Archive& a, L& l) {
     single(a, "ledger/potential_0", l.potential_0, {"J", "potential energy at the start"});
     single(a, "ledger/kinetic", l.kinetic, {"J", "kinetic energy"});
     single(a, "ledger/potential", l.potential, {"J", "potential energy"});
-    single(a, "ledger/work", l.work, {"J", "restitution, friction, walls, correction, gravity, inlets, outlets"});
+    single(a, "ledger/work", l.work,
+           {"J", "restitution, friction, walls, correction, gravity, inlets, outlets, rotation"});
     single(a, "ledger/kinetic_max", l.kinetic_max, {"J", "largest kinetic energy so far"});
     single(a, "ledger/potential_min", l.potential_min, {"J", "smallest potential energy so far"});
     single(a, "ledger/potential_max", l.potential_max, {"J", "largest potential energy so far"});
@@ -332,6 +366,7 @@ void visit_state(Archive& a, S& s, B& bodies, W& warm_start) {
     single(a, "history_rows", s.history_rows, {"1", "rows of the history so far"});
     visit_bodies(a, bodies);
     visit_warm_start(a, warm_start);
+    visit_shapes(a, s.shapes);
     visit_doors(a, s);
     visit_measures(a, s);
     visit_ledger(a, s.ledger);

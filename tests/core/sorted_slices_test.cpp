@@ -44,7 +44,7 @@ TEST(SortedSlices, OneRankSortsAndLeavesGhostsOut) {
     EXPECT_EQ(raw(slice.bodies.id[2]), 30U);
     EXPECT_EQ(slice.bodies.velocity[2].y(), 3.0);
     EXPECT_FALSE(slice.bodies.has_spin());
-    EXPECT_FALSE(slice.spins);
+    EXPECT_FALSE(slice.arrays.spin);
 
     std::vector<ContactRecord> contacts(3);
     contacts[0].key = ContactKey::wall(BodyId{1}, WallIndex{0}, 2);
