@@ -54,6 +54,7 @@ struct OutputSettings {
     double report_interval = 10.0;       // [s of wall time] between progress lines when standard error is no terminal
     std::vector<std::string> fields;  // of bodies, beside id, position and radius: velocity, spin, material, mass, ...
     bool contacts = false;            // write the contacts into each snapshot
+    bool mesh = true;                 // write the surfaces of polyhedra into each snapshot
     int compression = 4;              // gzip level, 0 to 9
 };
 

@@ -12,6 +12,7 @@
 #include "io/checksum.hpp"
 #include "io/hdf5/hdf5_file.hpp"
 #include "io/hdf5/shared_file.hpp"
+#include "io/results/flat_shape_fields.hpp"
 
 namespace scree::io {
 
@@ -241,23 +242,9 @@ void visit_shapes(Archive& a, S& shapes) {
     if (count == 0) return;
     FlatShapes flat;
     if constexpr (!Archive::kReading) flat = flatten(shapes);
-    whole(a, "shapes/vertices", flat.vertices, {"1", "vertices of each shape"});
-    whole(a, "shapes/faces", flat.faces, {"1", "faces of each shape"});
-    whole(a, "shapes/corners", flat.corners, {"1", "corners of all faces of each shape"});
-    whole(a, "shapes/edges", flat.edges, {"1", "edges of each shape"});
-    whole(a, "shapes/volume", flat.volume, {"m3", "volume"});
-    whole(a, "shapes/radius", flat.radius, {"m", "of the ball about the centre of mass that holds it"});
-    whole(a, "shapes/inner_radius", flat.inner_radius, {"m", "of the ball about the centre of mass inside of it"});
-    whole(a, "shapes/inertia", flat.inertia, {"m5", "principal moments of the volume", "body"});
-    whole(a, "shapes/vertex", flat.vertex, {"m", "vertices, shape after shape", "body"});
-    whole(a, "shapes/face_normal", flat.face_normal, {"1", "outward", "body"});
-    whole(a, "shapes/face_offset", flat.face_offset, {"m", "normal . x on the face"});
-    whole(a, "shapes/sides", flat.sides, {"1", "corners of each face"});
-    whole(a, "shapes/corner", flat.corner, {"1", "vertices of the faces, counted from the first of the shape"});
-    whole(a, "shapes/edge_from", flat.from, {"1", "vertex"});
-    whole(a, "shapes/edge_to", flat.to, {"1", "vertex"});
-    whole(a, "shapes/edge_left", flat.left, {"1", "face that has the edge from `from` to `to`"});
-    whole(a, "shapes/edge_right", flat.right, {"1", "the other face"});
+    visit_fields(flat, [&](const char* name, auto& values, const Meaning& meaning) {
+        whole(a, std::string("shapes/") + name, values, meaning);
+    });
     if constexpr (Archive::kReading) shapes = unflatten(flat);
 }
 

@@ -39,6 +39,8 @@ inline Bodies share(const Bodies& all, std::uint64_t deal, Ghosts ghosts) {
         part.velocity.push_back(all.velocity[i]);
         if (all.has_spin()) part.spin.push_back(all.spin[i]);
         if (all.has_orientation()) part.orientation.push_back(all.orientation[i]);
+        if (all.has_shapes()) part.shape.push_back(all.shape[i]);
+        if (all.has_shapes()) part.inertia.push_back(all.inertia[i]);
         part.ghost.push_back(own ? 0 : 1);
     }
     if (part.owned() == part.size()) part.ghost.clear();

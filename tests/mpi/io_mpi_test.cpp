@@ -21,6 +21,7 @@
 #include "io/results/snapshot.hpp"
 #include "io/results/summary.hpp"
 #include "tests/io/io_fixtures.hpp"
+#include "tests/io/polyhedra.hpp"
 #include "tests/io/state_bytes.hpp"
 #include "tests/mpi/dealt.hpp"
 
@@ -218,6 +219,29 @@ TEST(RanksSnapshot, IsTheFileOfOneRank) {
                 EXPECT_EQ(a.root().datasets().size(), b.root().datasets().size());
                 const double size_of_one = static_cast<double>(fs::file_size(one));
                 EXPECT_NEAR(static_cast<double>(fs::file_size(many)), size_of_one, 0.01 * size_of_one + 8000.0);
+            });
+        }
+    }
+}
+
+TEST(RanksSnapshot, SurfacesAreThoseOfOneRank) {
+    const SharedFolder folder;
+    std::uint64_t deal = 1;
+    for (const std::size_t bodies : {0U, 1U, 4U, 300U, 20000U}) {
+        for (const int compression : {0, 4}) {
+            const State whole = polyhedra_state(bodies);
+            State part = whole;
+            part.bodies = share(whole.bodies, deal++, Ghosts::some);
+            Scene scene = sample_scene();
+            scene.output.compression = compression;
+            const std::string many = folder / "many.h5", one = folder / "one.h5";
+            write_snapshot(many, 7, scene, part, {}, {}, world());
+            on_root([&] {
+                write_snapshot(one, 7, scene, whole, {}, {});
+                EXPECT_EQ(differences(one, many), "") << bodies << " bodies, compression " << compression;
+                const Hdf5File file = Hdf5File::open(many);
+                const std::vector<DatasetInfo> datasets = file.root().existing_group("mesh").datasets();
+                EXPECT_EQ(datasets.size(), 3U);
             });
         }
     }
