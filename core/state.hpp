@@ -8,6 +8,7 @@
 #include "core/convex_shape.hpp"
 #include "core/ids.hpp"
 #include "core/ledger.hpp"
+#include "core/raster.hpp"
 #include "core/scene.hpp"
 #include "core/step_report.hpp"
 
@@ -56,6 +57,7 @@ struct State {
     std::vector<InletState> inlets;      // one an inlet
     std::vector<OutletState> outlets;    // one an outlet
     std::vector<MeasureState> measures;  // one a measure
+    RasterState rasters;                 // empty if the scene has none
     Ledger ledger;
     RunTotals totals;
     // Output counters, so that a resumed run goes on with the next file and row.

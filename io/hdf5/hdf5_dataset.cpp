@@ -103,7 +103,7 @@ Hdf5Id creation_list(const Rows& rows, const Layout& layout, const std::string& 
     if (!chunked) return list;
     const std::size_t row_bytes = std::max<std::size_t>(1, rows.row_bytes());
     std::size_t chunk_rows = layout.extendible ? std::max(kGrowingChunkRows, kGrowingChunkBytes / row_bytes)
-                                               : std::min(kPackedRows, rows.count);
+                                               : std::min(layout.chunk_rows, rows.count);
     std::vector<hsize_t> chunk = dimensions(rows);
     chunk[0] = chunk_rows;
     require(H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data()), file, what);

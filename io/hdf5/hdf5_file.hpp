@@ -49,6 +49,7 @@ inline constexpr std::size_t kPackedRows = 8192;
 struct Layout {
     int gzip = 0;             // level, with shuffle; 0: none
     bool extendible = false;  // rows can be appended and cut
+    std::size_t chunk_rows = kPackedRows;
 };
 
 // Owns an HDF5 id; closes it.

@@ -139,7 +139,7 @@ void SharedFile::plain_rows(const std::string& name, const Rows& rows, const Ext
 // The ranks tell rank 0 how large their chunks are, it answers where they go.
 void SharedFile::packed_rows(const std::string& name, const Rows& any_rows, const Extent& extent,
                              const Meaning& meaning, const Layout& layout) {
-    const std::size_t chunk_rows = std::min<std::size_t>(kPackedRows, extent.total);
+    const std::size_t chunk_rows = std::min<std::size_t>(layout.chunk_rows, extent.total);
     const WholeChunks whole(any_rows, extent.begin, chunk_rows, ranks_);
     const Rows& rows = whole.rows();
     std::vector<PackedChunk> chunks;

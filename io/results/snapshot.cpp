@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/errors.hpp"
 #include "core/parallel/sorted_slices.hpp"
@@ -13,6 +14,7 @@
 #include "io/hdf5/shared_file.hpp"
 #include "io/results/body_mesh.hpp"
 #include "io/results/shapes_file.hpp"
+#include "io/results/terrain_file.hpp"
 #include "io/results/wall_description.hpp"
 
 namespace scree::io {
@@ -170,6 +172,7 @@ void write_snapshot(const std::string& path, std::uint64_t number, const Scene& 
         write_materials(root, scene);
         write_walls(root, scene, state.time);
         if (!state.shapes.empty()) root.link("shapes", kShapesFile, "/shapes");
+        if (has_terrain(scene)) root.link("terrain", kTerrainFile, "/terrain");
     });
     const bool shapes = !state.shapes.empty();
     const auto write = [&](const Bodies& bodies, bool spin, bool orientation) {
@@ -211,15 +214,19 @@ void SnapshotSeries::list_again(std::uint64_t first_number) {
     }
 }
 
+// What is the same in all snapshots.
+void SnapshotSeries::write_constant(const Scene& scene, const State& state, const Provenance& provenance) const {
+    const std::string folder = run_folder_ + "/" + kFolder + "/";
+    if (!state.shapes.empty())
+        write_shapes(folder + kShapesFile, state.shapes, provenance, scene.output.compression, ranks_);
+    if (has_terrain(scene)) write_terrain(folder + kTerrainFile, scene, provenance, ranks_);
+}
+
 void SnapshotSeries::write(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts,
                            const Provenance& provenance) {
     const std::string relative = fmt::format("{}/{:06}.h5", kFolder, state.snapshots_written);
     const std::string path = run_folder_ + "/" + relative;
-    if (!state.shapes.empty() && !shapes_written_) {
-        write_shapes(run_folder_ + "/" + kFolder + "/" + kShapesFile, state.shapes, provenance,
-                     scene.output.compression, ranks_);
-        shapes_written_ = true;
-    }
+    if (!std::exchange(constant_written_, true)) write_constant(scene, state, provenance);
     write_snapshot(path, state.snapshots_written, scene, state, contacts, provenance, ranks_);
     std::uint64_t size = 0;
     by_root(ranks_, [&] {

@@ -6,6 +6,7 @@
 //                always orientation and shape (n): row of the arrays one a shape in /shapes, -1 for a sphere
 //   /shapes      with polyhedra: a link to shapes.h5 beside the snapshots (shapes_file.hpp); a vertex of body i is at
 //                position[i] + orientation[i] . vertex
+//   /terrain     with terrain: a link to terrain.h5 beside the snapshots (terrain_file.hpp)
 //   /mesh        with polyhedra, if asked for: their surfaces (body_mesh.hpp)
 //   /materials   name, density
 //   /walls       name, shape, parameters (JSON, in the wall's own frame), material, rotation (w,3,3), translation
@@ -51,11 +52,12 @@ class SnapshotSeries {
 
   private:
     void list_again(std::uint64_t first_number);
+    void write_constant(const Scene& scene, const State& state, const Provenance& provenance) const;
 
     std::string run_folder_;
     Communicator ranks_;
     XdmfSeries xdmf_;
-    bool shapes_written_ = false;
+    bool constant_written_ = false;
     std::uint64_t files_ = 0, bytes_ = 0;
 };
 

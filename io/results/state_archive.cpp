@@ -94,6 +94,7 @@ struct Writer {
     }
     void bodies_here() {}
     void contacts_here() {}
+    void cells_here(std::uint64_t) {}
 
   private:
     template <class Number>
@@ -144,6 +145,14 @@ class Reader {
         } else {
             range_ = {contacts_before(range_.begin, bodies), contacts_before(range_.end, bodies)};
         }
+    }
+
+    // From here on, it reads those of this rank's cells of a raster (core/raster.hpp).
+    void cells_here(std::uint64_t columns) {
+        total_ = rows_in<Packing<double>>("rasters/depth");
+        if (columns == 0 || total_ % columns != 0) throw_length("rasters/depth");
+        const Division rows{total_ / columns, 1, ranks_.size()};
+        range_ = {rows.first(ranks_.rank()) * columns, rows.first(ranks_.rank() + 1) * columns};
     }
 
   private:
@@ -308,6 +317,20 @@ void visit_measures(Archive& a, S& s) {
     }
 }
 
+template <class Archive, class R>
+void visit_rasters(Archive& a, R& r) {
+    single(a, "rasters/columns", r.columns, {"1", "cells in a row; 0: the scene has no rasters"});
+    if (r.columns == 0) return;
+    a.cells_here(r.columns);
+    each(a, "rasters/depth", r.depth, {"m", "largest flow depth of each cell so far, row after row"});
+    each(a, "rasters/height", r.height, {"m", "largest height above the ground so far"});
+    each(a, "rasters/speed", r.speed, {"m/s", "largest speed so far"});
+    each(a, "rasters/arrival", r.arrival, {"s", "first time that the cell was covered; infinite: not yet"});
+    single(a, "rasters/volume", r.volume, {"m3", "of the bodies at the start"});
+    single(a, "rasters/centre", r.centre, {"m", "centre of mass at the start", "scene"});
+    single(a, "rasters/top", r.top, {"m", "highest point of a body at the start, over its centre", "scene"});
+}
+
 template <class Archive, class L>
 void visit_ledger(Archive& a, L& l) {
     single(a, "ledger/kinetic_0", l.kinetic_0, {"J", "kinetic energy at the start"});
@@ -356,6 +379,7 @@ void visit_state(Archive& a, S& s, B& bodies, W& warm_start) {
     visit_shapes(a, s.shapes);
     visit_doors(a, s);
     visit_measures(a, s);
+    visit_rasters(a, s.rasters);
     visit_ledger(a, s.ledger);
     visit_totals(a, s.totals);
 }

@@ -139,6 +139,26 @@ std::string surfaces(const Hdf5Group& root, const std::string& file) {
     return text + "      </Grid>\n";
 }
 
+// The ground of each terrain wall.
+std::string terrains(const Hdf5Group& root, const std::string& file) {
+    std::string text;
+    if (!root.has("terrain")) return text;
+    for (const DatasetInfo& triangles : root.datasets()) {
+        const std::size_t name = triangles.name.rfind("/triangle");
+        if (!triangles.name.starts_with("terrain/") || name == std::string::npos) continue;
+        const Hdf5Group group = root.existing_group(triangles.name.substr(0, name));
+        const std::string path = group.path().substr(1);
+        text += fmt::format(
+            "      <Grid Name=\"terrain\" GridType=\"Uniform\">\n"
+            "        <Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n"
+            "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n"
+            "      </Grid>\n",
+            triangles.shape.at(0), data_item(group.dataset("triangle"), path, file),
+            data_item(group.dataset("vertex"), path, file));
+    }
+    return text;
+}
+
 }  // namespace
 
 void XdmfSeries::add(const std::string& snapshot, const std::string& relative) {
@@ -147,10 +167,10 @@ void XdmfSeries::add(const std::string& snapshot, const std::string& relative) {
     const bool has_surfaces = root.has("mesh/body") && root.dataset("mesh/body").shape.at(0) > 0;
     grids_.push_back(
         fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
-                    "      <Time Value=\"{}\"/>\n{}{}    </Grid>\n",
+                    "      <Time Value=\"{}\"/>\n{}{}{}    </Grid>\n",
                     escaped(relative), root.number_attribute("time"),
                     centres(root, root.has("bodies/shape") ? "centres" : "spheres", relative),
-                    has_surfaces ? surfaces(root, relative) : ""));
+                    has_surfaces ? surfaces(root, relative) : "", terrains(root, relative)));
 }
 
 void XdmfSeries::write() const {

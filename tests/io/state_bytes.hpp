@@ -29,6 +29,9 @@ class StateBytes {
                 m.window_time);
             list(m.window_sum);
         }
+        const RasterState& r = s.rasters;
+        all(r.columns, r.volume, r.centre, r.top);
+        list(r.depth), list(r.height), list(r.speed), list(r.arrival);
         static_assert(std::is_trivially_copyable_v<Ledger>);
         all(s.ledger);
         const RunTotals& t = s.totals;
