@@ -4,10 +4,9 @@
 //   as depth-averaged models have it (flow thickness times the secant of the slope). With solid_fraction 1 it is the
 //   depth of the solid; with the packing fraction of the flow (about 0.6) that of grains and pores. A body's volume is
 //   spread evenly over a square as large as the shadow of a sphere of its volume, so that no cell is too small.
-// Flow height [m]: of the highest point of a body above the ground below its centre; single blocks and their jumps show.
-// Speed [m/s]: of the centre of mass of the fastest body whose square meets the cell.
-// Arrival [s]: time of the first sample in which the flow depth is above `covered`.
-// Deposit [m]: the flow depth at the end of the run.
+// Flow height [m]: of the highest point of a body above the ground below its centre; single blocks and their jumps
+// show. Speed [m/s]: of the centre of mass of the fastest body whose square meets the cell. Arrival [s]: time of the
+// first sample in which the flow depth is above `covered`. Deposit [m]: the flow depth at the end of the run.
 #pragma once
 
 #include <cmath>
@@ -32,12 +31,12 @@ struct RasterGrid {
 };
 
 struct RasterSettings {
-    RasterGrid grid;                    // in the local frame
-    std::optional<WallIndex> terrain;   // heights are above this terrain wall, else above `level`
-    double level = 0.0;                 // [m] z
-    std::uint64_t sample_every = 1;     // steps
-    double solid_fraction = 1.0;        //
-    double covered = 0.0;               // [m] a cell is covered if its flow depth is above this
+    RasterGrid grid;                   // in the local frame
+    std::optional<WallIndex> terrain;  // heights are above this terrain wall, else above `level`
+    double level = 0.0;                // [m] z
+    std::uint64_t sample_every = 1;    // steps
+    double solid_fraction = 1.0;       //
+    double covered = 0.0;              // [m] a cell is covered if its flow depth is above this
 };
 
 // Of this rank's rows of cells, which are Division{rows, 1, ranks} of all (core/parallel/sorted_slices.hpp).
@@ -47,9 +46,9 @@ struct RasterState {
     std::vector<double> arrival;               // [s] or kNever
     std::uint64_t columns = 0;                 // of the grid
     // What was there at the start; relative to the scene's origin.
-    double volume = 0.0;          // [m3] of the bodies
-    Vec3 centre = Vec3::Zero();   // [m] centre of mass
-    Vec3 top = Vec3::Zero();      // [m] the highest point of a body, over its centre
+    double volume = 0.0;         // [m3] of the bodies
+    Vec3 centre = Vec3::Zero();  // [m] centre of mass
+    Vec3 top = Vec3::Zero();     // [m] the highest point of a body, over its centre
 };
 
 }  // namespace scree

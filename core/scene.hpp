@@ -51,6 +51,7 @@ struct Scene {
     std::vector<Inlet> inlets;
     std::vector<Measure> measures;
     std::optional<RasterSettings> rasters;
+    TrajectorySettings trajectories;
     TimeSettings time;
     SolverSettings solver;
     CorrectionSettings correction;

@@ -63,6 +63,8 @@ struct State {
     // Output counters, so that a resumed run goes on with the next file and row.
     std::uint64_t snapshots_written = 0;
     std::uint64_t history_rows = 0;
+    std::uint64_t trajectory_rows = 0;
+    std::vector<std::uint64_t> followed;  // ids of the bodies whose trajectories are written, increasing
 };
 
 }  // namespace scree

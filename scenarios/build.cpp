@@ -11,6 +11,7 @@
 #include "scenarios/materials.hpp"
 #include "scenarios/measures.hpp"
 #include "scenarios/origin.hpp"
+#include "scenarios/rasters.hpp"
 #include "scenarios/settings.hpp"
 #include "scenarios/walls.hpp"
 
@@ -46,6 +47,8 @@ Scene build_in_frame(const io::Node& scenario, const Vec3& origin, std::vector<T
     build_inlets(scenario, context, scene);
     build_outlets(scenario, context, scene);
     build_measures(scenario, context, scene);
+    build_rasters(scenario, context, scene);
+    build_trajectories(scenario, scene);
     return scene;
 }
 

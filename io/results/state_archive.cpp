@@ -374,6 +374,8 @@ void visit_state(Archive& a, S& s, B& bodies, W& warm_start) {
     single(a, "block_size", s.block_size, {"m", "edge of the blocks that order the work; 0: not chosen yet"});
     single(a, "snapshots_written", s.snapshots_written, {"1", "snapshots so far"});
     single(a, "history_rows", s.history_rows, {"1", "rows of the history so far"});
+    single(a, "trajectory_rows", s.trajectory_rows, {"1", "rows of the trajectories so far"});
+    whole(a, "followed", s.followed, {"1", "ids of the bodies whose trajectories are written"});
     visit_bodies(a, bodies);
     visit_warm_start(a, warm_start);
     visit_shapes(a, s.shapes);

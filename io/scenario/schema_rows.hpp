@@ -44,6 +44,8 @@ std::vector<Row> bodies();
 std::vector<Row> walls();
 std::vector<Row> flows();  // outlets and inlets
 std::vector<Row> measures();
+std::vector<Row> rasters();
+std::vector<Row> trajectories();
 std::vector<Row> output();
 std::vector<Row> shared();  // SIZE and REGION
 
