@@ -14,6 +14,8 @@
 namespace scree::app {
 namespace {
 
+constexpr double kRasterBytes = 32.0;  // a cell: four doubles
+
 double snapshot_bytes_per_body(const OutputSettings& output) {
     double bytes = 8.0 + 24.0 + 8.0;  // id, position, radius
     for (const std::string& field : output.fields) {
@@ -109,6 +111,13 @@ std::string scene_lines(const Scene& scene) {
         text += fmt::format("  inlet       {}: {:.4g} kg/s\n", inlet.name, inlet.mass_rate);
     }
     for (const Outlet& outlet : scene.outlets) text += fmt::format("  outlet      {}\n", outlet.name);
+    if (scene.rasters) {
+        const RasterGrid& grid = scene.rasters->grid;
+        text += fmt::format("  rasters     {} x {} cells of {} x {}, every {}; {} over all ranks\n", grid.columns,
+                            grid.rows, length_text(grid.dx), length_text(grid.dy),
+                            plural(scene.rasters->sample_every, "step", "steps"),
+                            bytes_text(kRasterBytes * static_cast<double>(grid.cells())));
+    }
     for (const Measure& measure : scene.measures) {
         text +=
             fmt::format("  measure     {}, mean over {:.4g} to {:.4g} s\n", measure.name, measure.from, measure.until);

@@ -14,7 +14,9 @@
 #include "app/run_summary.hpp"
 #include "core/parallel/together.hpp"
 #include "io/atomic_file.hpp"
+#include "io/results/raster_files.hpp"
 #include "io/results/summary.hpp"
+#include "solvers/runout.hpp"
 
 namespace scree::app {
 namespace {
@@ -65,9 +67,10 @@ class Run {
           schedule_(setup_.scene.time, setup_.scene.output),
           stepper_(setup_.scene, plan_, ranks),
           measures_(setup_.scene, ranks),
+          rasters_(setup_.scene, ranks),
           times_(setup_.state, ranks),
-          output_(folder, setup_.scene, setup_.state, solvers::history_columns(setup_.scene), setup_.provenance,
-                  setup_.resumed, console, ranks),
+          output_(folder, setup_.scene, setup_.state, solvers::history_columns(setup_.scene),
+                  solvers::trajectory_columns(setup_.state, plan_), setup_.provenance, setup_.resumed, console, ranks),
           progress_(console, setup_.scene.output.report_interval),
           stop_(folder.stop_file(), limit, ranks.root()) {}
 
@@ -75,6 +78,7 @@ class Run {
 
   private:
     void finish(const std::string& status, const std::string& reason, const StepReport& last);
+    Runout finish_rasters();
     void note_failure(const Error& error);
     // Writes the summary and the last record of the log.
     void close_books(const io::Summary& summary, const std::vector<RankFigures>& all);
@@ -88,6 +92,7 @@ class Run {
     OutputSchedule schedule_;
     solvers::Stepper stepper_;
     solvers::Measures measures_;
+    solvers::Rasters rasters_;
     RankTimes times_;
     RunOutput output_;
     Progress progress_;
@@ -96,8 +101,8 @@ class Run {
 
 ExitCode Run::execute(ErrorAgreement& errors) {
     say_start(setup_, plan_, schedule_, folder_, console_, ranks_);
-    RunContext context{setup_.scene, setup_.state, stepper_, measures_, output_,
-                       progress_,    stop_,        times_,   schedule_, ranks_};
+    RunContext context{setup_.scene, plan_,     setup_.state, stepper_, measures_, rasters_,
+                       output_,      progress_, stop_,        times_,   schedule_, ranks_};
     try {
         const RunEnd end = run_loop(context);
         finish(end.complete ? "complete" : "stopped_early", end.reason, end.last);
@@ -132,6 +137,7 @@ void Run::finish(const std::string& status, const std::string& reason, const Ste
     }
     io::Summary summary =
         make_summary(setup_.scene, plan_, setup_.state, output_, last, status, reason, std::move(warnings), ranks_);
+    if (setup_.scene.rasters) summary.runout = finish_rasters();
     summary.totals.wall_by_phase = times_.mean(setup_.state);
     const std::vector<RankFigures> all = figures();
     close_books(summary, all);
@@ -139,6 +145,13 @@ void Run::finish(const std::string& status, const std::string& reason, const Ste
         !write_all(STDOUT_FILENO, summary_text(summary, setup_.scene, folder_, all))) {
         console_.warning("standard output could not be written; the same is in summary.yaml");
     }
+}
+
+// Rasters as they stand to their files, and what follows from them.
+Runout Run::finish_rasters() {
+    const std::vector<double> deposit = rasters_.depth(setup_.scene, setup_.state);
+    io::write_rasters(folder_.rasters().string(), setup_.scene, setup_.state, deposit, output_.provenance(), ranks_);
+    return solvers::runout(setup_.scene, setup_.state, deposit, ranks_);
 }
 
 // The state is not fit for a checkpoint; those written before stand. The disk may be full: then the error itself has to

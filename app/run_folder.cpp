@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // Everything that a run leaves in its folder.
-constexpr std::array<const char*, 7> kRunFiles = {"snapshots", "checkpoint",   "history.h5", "run.xdmf",
-                                                  "run.jsonl", "summary.yaml", "stop_now"};
+constexpr std::array<const char*, 9> kRunFiles = {"snapshots",       "checkpoint",   "history.h5",
+                                                  "trajectories.h5", "rasters",      "run.xdmf",
+                                                  "run.jsonl",       "summary.yaml", "stop_now"};
 
 }  // namespace
 

@@ -16,6 +16,8 @@ class RunFolder {
 
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path snapshots() const { return path_ / "snapshots"; }
+    std::filesystem::path rasters() const { return path_ / "rasters"; }
+    std::filesystem::path trajectories() const { return path_ / "trajectories.h5"; }
     std::filesystem::path checkpoints() const { return path_ / "checkpoint"; }
     std::filesystem::path history() const { return path_ / "history.h5"; }
     std::filesystem::path xdmf() const { return path_ / "run.xdmf"; }

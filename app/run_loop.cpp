@@ -21,6 +21,7 @@ StepReport measured_step(RunContext& run) {
     const StepReport report = run.stepper.advance(state);
     const PhaseTimer timer(state.totals, Phase::measures);
     run.measures.after_step(run.scene, state, run.stepper, report);
+    run.rasters.after_step(run.scene, state);
     return report;
 }
 
@@ -55,6 +56,9 @@ void write_checkpoint(RunContext& run) {
 void write_due(RunContext& run, const StepReport& report) {
     State& state = run.state;
     if (run.schedule.history_due(state.step)) run.output.history_row(state, measured_row(run, report));
+    const bool row_due = state.step % run.scene.trajectories.every == 0 || state.step == run.schedule.steps;
+    if (!state.followed.empty() && row_due)
+        run.output.trajectory_row(state, solvers::trajectory_row(run.scene, state, run.plan, run.ranks));
     if (run.schedule.snapshot_due(state.step)) run.output.snapshot(run.scene, state, run.stepper.contacts());
 }
 
@@ -88,6 +92,7 @@ RunEnd run_loop(RunContext& run) {
     State& state = run.state;
     RunEnd end;
     run.stepper.start(state);
+    run.rasters.start(run.scene, state);
     end.last = report_at_start(run);
     if (state.step == 0) write_due(run, end.last);
     while (state.step < run.schedule.steps) {

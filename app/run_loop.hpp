@@ -15,16 +15,20 @@
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "solvers/measures.hpp"
+#include "solvers/rasters.hpp"
 #include "solvers/stepper.hpp"
+#include "solvers/trajectories.hpp"
 
 namespace scree::app {
 
 // Everything that the loop works on. Only `state` is kept by a checkpoint.
 struct RunContext {
     const Scene& scene;
+    const Plan& plan;
     State& state;
     solvers::Stepper& stepper;
     solvers::Measures& measures;
+    solvers::Rasters& rasters;
     RunOutput& output;
     Progress& progress;
     StopRequest& stop;

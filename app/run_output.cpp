@@ -23,10 +23,10 @@ double seconds_since(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
-io::HistoryWriter open_history(const RunFolder& folder, const State& state, std::vector<HistoryColumn> columns,
+// `rows`: how many of them a resumed run goes on with.
+io::HistoryWriter open_history(const std::string& path, std::uint64_t rows, std::vector<HistoryColumn> columns,
                                const io::Provenance& provenance, bool resumed, const Communicator& ranks) {
-    const std::string path = folder.history().string();
-    if (resumed) return io::HistoryWriter::resume(path, std::move(columns), state.history_rows, provenance, ranks);
+    if (resumed) return io::HistoryWriter::resume(path, std::move(columns), rows, provenance, ranks);
     return io::HistoryWriter::create(path, std::move(columns), provenance, ranks);
 }
 
@@ -43,13 +43,14 @@ io::SnapshotSeries open_snapshots(const RunFolder& folder, const State& state, c
 }  // namespace
 
 RunOutput::RunOutput(const RunFolder& folder, const Scene& scene, const State& state,
-                     std::vector<HistoryColumn> columns, io::Provenance provenance, bool resumed, Console& console,
-                     const Communicator& ranks)
+                     std::vector<HistoryColumn> columns, std::vector<HistoryColumn> trajectories,
+                     io::Provenance provenance, bool resumed, Console& console, const Communicator& ranks)
     : folder_(folder),
       console_(console),
       ranks_(ranks),
       provenance_(std::move(provenance)),
-      history_(open_history(folder, state, std::move(columns), provenance_, resumed, ranks)),
+      history_(
+          open_history(folder.history().string(), state.history_rows, std::move(columns), provenance_, resumed, ranks)),
       snapshots_(open_snapshots(folder, state, ranks)),
       log_(folder.run_log().string(), resumed, ranks),
       checkpoint_interval_(scene.output.checkpoint_interval),
@@ -60,6 +61,9 @@ RunOutput::RunOutput(const RunFolder& folder, const Scene& scene, const State& s
       sweeps_logged_(state.totals.sweeps),
       steps_logged_(state.totals.steps) {
     log_.provenance(provenance_);
+    if (state.followed.empty()) return;
+    trajectories_ = open_history(folder.trajectories().string(), state.trajectory_rows, std::move(trajectories),
+                                 provenance_, resumed, ranks);
 }
 
 void RunOutput::update_wall_time(State& state) const {
@@ -73,6 +77,18 @@ void RunOutput::history_row(State& state, const std::vector<double>& row) {
     history_.flush_if_due();
 }
 
+void RunOutput::trajectory_row(State& state, const std::vector<double>& row) {
+    const PhaseTimer timer(state.totals, Phase::output);
+    trajectories_->append(row);
+    ++state.trajectory_rows;
+    trajectories_->flush_if_due();
+}
+
+void RunOutput::flush_history() {
+    history_.flush();
+    if (trajectories_) trajectories_->flush();
+}
+
 void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts) {
     const PhaseTimer timer(state.totals, Phase::output);
     snapshots_.write(scene, state, contacts, provenance_);
@@ -83,7 +99,7 @@ void RunOutput::checkpoint(State& state, const PhaseTimes& phases) {
     const Clock::time_point begin = Clock::now();
     {
         const PhaseTimer timer(state.totals, Phase::output);
-        history_.flush();
+        flush_history();
     }
     update_wall_time(state);
     const bool first = last_checkpoint_.empty();

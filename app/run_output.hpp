@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,13 @@ namespace scree::app {
 class RunOutput {
   public:
     // Opens the files; `resumed`: goes on with those of the folder, cut back to where `state` stands.
+    // `trajectories`: their columns; none is written without bodies to follow.
     RunOutput(const RunFolder& folder, const Scene& scene, const State& state, std::vector<HistoryColumn> columns,
-              io::Provenance provenance, bool resumed, Console& console, const Communicator& ranks);
+              std::vector<HistoryColumn> trajectories, io::Provenance provenance, bool resumed, Console& console,
+              const Communicator& ranks);
 
     void history_row(State& state, const std::vector<double>& row);
+    void trajectory_row(State& state, const std::vector<double>& row);
     void snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts);
     // Also brings the history to the disk. `own`: the impulses that this rank solved; `phases`: to be written as those
     // of the run.
@@ -36,7 +40,7 @@ class RunOutput {
     void log_progress(const State& state, const StepReport& report, const PhaseTimes& phases);
     void log_ranks(const io::RankLoads& loads);
     void log_status(const State& state, const std::string& status, const std::string& reason);
-    void flush_history() { history_.flush(); }
+    void flush_history();  // and the trajectories
 
     // [s] the longest that a checkpoint took; at the start a guess from the size of the state.
     double longest_checkpoint() const { return longest_checkpoint_; }
@@ -57,6 +61,7 @@ class RunOutput {
     const Communicator& ranks_;
     io::Provenance provenance_;
     io::HistoryWriter history_;
+    std::optional<io::HistoryWriter> trajectories_;
     io::SnapshotSeries snapshots_;
     io::RunLog log_;
     double checkpoint_interval_;

@@ -11,6 +11,7 @@
 #include "app/scene_warnings.hpp"
 #include "io/atomic_file.hpp"
 #include "io/results/checkpoint.hpp"
+#include "solvers/trajectories.hpp"
 
 namespace scree::app {
 namespace {
@@ -45,6 +46,7 @@ RunSetup set_up_new(const RunOptions& options, RunFolder& folder, const Communic
     BuiltScenario built = build_scenario(scenario, ranks);
     set_origin(scenario, built.scene.origin);
     RunSetup setup{std::move(built.scene), std::move(built.state), {}, false, {}};
+    setup.state.followed = solvers::choose_followed(setup.scene.trajectories, setup.state.bodies, ranks);
     setup.provenance = provenance_of(options, scenario, setup.scene, ranks);
     setup.scenario_warnings = scenario.diagnostics->warnings();
     setup.warnings = scene_warnings(setup.scene, setup.state, ranks);

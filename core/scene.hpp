@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/material.hpp"
 #include "core/measure.hpp"
+#include "core/raster.hpp"
 #include "core/region.hpp"
 #include "core/settings.hpp"
 #include "core/size_distribution.hpp"
@@ -48,6 +50,8 @@ struct Scene {
     std::vector<Outlet> outlets;
     std::vector<Inlet> inlets;
     std::vector<Measure> measures;
+    std::optional<RasterSettings> rasters;
+    TrajectorySettings trajectories;
     TimeSettings time;
     SolverSettings solver;
     CorrectionSettings correction;

@@ -47,6 +47,15 @@ struct CorrectionSettings {
     double share = 0.83;  // of the penetration, aimed at in one step
 };
 
+// Bodies whose way is written down. None: no ids, and a count of 0.
+struct TrajectorySettings {
+    std::vector<std::uint64_t> ids;  // increasing
+    std::uint64_t count = 0;         // so many more, spread evenly over the ids at the start
+    std::uint64_t every = 1;         // steps between rows
+
+    bool any() const { return !ids.empty() || count > 0; }
+};
+
 struct OutputSettings {
     double snapshot_interval = 0.0;      // [s]; 0: only the first and the last
     double history_interval = 0.0;       // [s]; 0: every step
@@ -54,6 +63,7 @@ struct OutputSettings {
     double report_interval = 10.0;       // [s of wall time] between progress lines when standard error is no terminal
     std::vector<std::string> fields;  // of bodies, beside id, position and radius: velocity, spin, material, mass, ...
     bool contacts = false;            // write the contacts into each snapshot
+    bool mesh = true;                 // write the surfaces of polyhedra into each snapshot
     int compression = 4;              // gzip level, 0 to 9
 };
 

@@ -8,6 +8,7 @@
 #include "core/convex_shape.hpp"
 #include "core/ids.hpp"
 #include "core/ledger.hpp"
+#include "core/raster.hpp"
 #include "core/scene.hpp"
 #include "core/step_report.hpp"
 
@@ -56,11 +57,14 @@ struct State {
     std::vector<InletState> inlets;      // one an inlet
     std::vector<OutletState> outlets;    // one an outlet
     std::vector<MeasureState> measures;  // one a measure
+    RasterState rasters;                 // empty if the scene has none
     Ledger ledger;
     RunTotals totals;
     // Output counters, so that a resumed run goes on with the next file and row.
     std::uint64_t snapshots_written = 0;
     std::uint64_t history_rows = 0;
+    std::uint64_t trajectory_rows = 0;
+    std::vector<std::uint64_t> followed;  // ids of the bodies whose trajectories are written, increasing
 };
 
 }  // namespace scree

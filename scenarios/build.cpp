@@ -13,6 +13,7 @@
 #include "scenarios/named_shapes.hpp"
 #include "scenarios/origin.hpp"
 #include "scenarios/point_file.hpp"
+#include "scenarios/rasters.hpp"
 #include "scenarios/settings.hpp"
 #include "scenarios/walls.hpp"
 
@@ -56,6 +57,8 @@ Scene build_in_frame(const io::Node& scenario, const Vec3& origin, std::vector<T
     build_inlets(scenario, context, scene);
     build_outlets(scenario, context, scene);
     build_measures(scenario, context, scene);
+    build_rasters(scenario, context, scene);
+    build_trajectories(scenario, scene);
     return scene;
 }
 

@@ -65,6 +65,7 @@ OutputSettings build_output(const Node& node) {
     output.report_interval = number_or(node, "report_interval", output.report_interval);
     for (const Node& field : items_of(node, "fields")) output.fields.push_back(field.text());
     output.contacts = boolean_or(node, "contacts", output.contacts);
+    output.mesh = boolean_or(node, "mesh", output.mesh);
     output.compression = integer_or(node, "compression", output.compression);
     return output;
 }

@@ -50,6 +50,8 @@ hid_t memory_type(ElementType type) {
     switch (type) {
         case ElementType::f64:
             return H5T_NATIVE_DOUBLE;
+        case ElementType::f32:
+            return H5T_NATIVE_FLOAT;
         case ElementType::i64:
             return H5T_NATIVE_INT64;
         case ElementType::u64:
@@ -70,6 +72,8 @@ hid_t file_type(ElementType type) {
     switch (type) {
         case ElementType::f64:
             return H5T_IEEE_F64LE;
+        case ElementType::f32:
+            return H5T_IEEE_F32LE;
         case ElementType::i64:
             return H5T_STD_I64LE;
         case ElementType::u64:
@@ -99,7 +103,7 @@ Hdf5Id creation_list(const Rows& rows, const Layout& layout, const std::string& 
     if (!chunked) return list;
     const std::size_t row_bytes = std::max<std::size_t>(1, rows.row_bytes());
     std::size_t chunk_rows = layout.extendible ? std::max(kGrowingChunkRows, kGrowingChunkBytes / row_bytes)
-                                               : std::min(kPackedRows, rows.count);
+                                               : std::min(layout.chunk_rows, rows.count);
     std::vector<hsize_t> chunk = dimensions(rows);
     chunk[0] = chunk_rows;
     require(H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data()), file, what);
@@ -130,6 +134,9 @@ std::size_t Rows::row_bytes() const {
 
 Rows rows_of(std::span<const double> values) {
     return view(values, ElementType::f64);
+}
+Rows rows_of(std::span<const float> values) {
+    return view(values, ElementType::f32);
 }
 Rows rows_of(std::span<const std::int64_t> values) {
     return view(values, ElementType::i64);

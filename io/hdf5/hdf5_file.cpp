@@ -64,6 +64,9 @@ void collect_datasets(const Hdf5Group& root, hid_t group, const std::string& pre
     require(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect_name, &names), root.file(),
             "its contents cannot be listed");
     for (const std::string& name : names) {
+        H5L_info_t link;
+        require(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), root.file(), "its contents cannot be listed");
+        if (link.type == H5L_TYPE_EXTERNAL && H5Oexists_by_name(group, name.c_str(), H5P_DEFAULT) <= 0) continue;
         const Hdf5Id object = owned(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, root.file(),
                                     "'" + prefix + name + "' cannot be opened");
         const H5I_type_t kind = H5Iget_type(object.get());
@@ -166,6 +169,11 @@ bool Hdf5Group::has(const std::string& name) const {
 
 void Hdf5Group::remove(const std::string& name) const {
     require(H5Ldelete(id(), name.c_str(), H5P_DEFAULT), file_, "'" + name + "' cannot be removed");
+}
+
+void Hdf5Group::link(const std::string& name, const std::string& path, const std::string& object) const {
+    require(H5Lcreate_external(path.c_str(), object.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), file_,
+            "'" + name + "' cannot be linked");
 }
 
 std::vector<DatasetInfo> Hdf5Group::datasets() const {

@@ -14,7 +14,7 @@
 
 namespace scree::io {
 
-enum class ElementType { f64, i64, u64, i32, u32, u16, u8 };
+enum class ElementType { f64, f32, i64, u64, i32, u32, u16, u8 };
 
 // A view of n rows, each of `shape` elements ({}: one number, {3}: a vector, {3, 3}: a matrix, row by row).
 struct Rows {
@@ -27,6 +27,7 @@ struct Rows {
     std::size_t row_bytes() const;
 };
 Rows rows_of(std::span<const double> values);
+Rows rows_of(std::span<const float> values);
 Rows rows_of(std::span<const std::int64_t> values);
 Rows rows_of(std::span<const std::uint64_t> values);
 Rows rows_of(std::span<const std::int32_t> values);
@@ -48,6 +49,7 @@ inline constexpr std::size_t kPackedRows = 8192;
 struct Layout {
     int gzip = 0;             // level, with shuffle; 0: none
     bool extendible = false;  // rows can be appended and cut
+    std::size_t chunk_rows = kPackedRows;
 };
 
 // Owns an HDF5 id; closes it.
@@ -83,6 +85,8 @@ class Hdf5Group {
     Hdf5Group existing_group(const std::string& name) const;
     bool has(const std::string& name) const;  // a group or dataset ("a/b" too)
     void remove(const std::string& name) const;
+    // `object` of another file, under a name here: who opens it gets that. `path` starts at the folder of this file.
+    void link(const std::string& name, const std::string& path, const std::string& object) const;
 
     void attribute(const std::string& name, double value) const;
     void attribute(const std::string& name, std::uint64_t value) const;
@@ -95,7 +99,7 @@ class Hdf5Group {
     std::vector<double> numbers_attribute(const std::string& name) const;
     std::string text_attribute(const std::string& name) const;
 
-    // All datasets below, depth first, in order of name.
+    // All datasets below, depth first, in order of name; linked ones too, unless their file is not there.
     std::vector<DatasetInfo> datasets() const;
     DatasetInfo dataset(const std::string& name) const;
 

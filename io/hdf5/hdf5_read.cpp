@@ -6,10 +6,10 @@ namespace scree::io {
 
 namespace {
 
-// An integer is read as the kind that holds it; every float as a double.
+// The kind that holds it.
 ElementType element_type_of(hid_t type) {
-    if (H5Tget_class(type) != H5T_INTEGER) return ElementType::f64;
     const std::size_t size = H5Tget_size(type);
+    if (H5Tget_class(type) != H5T_INTEGER) return size > 4 ? ElementType::f64 : ElementType::f32;
     if (H5Tget_sign(type) == H5T_SGN_2) return size > 4 ? ElementType::i64 : ElementType::i32;
     if (size > 4) return ElementType::u64;
     return size > 2 ? ElementType::u32 : size > 1 ? ElementType::u16 : ElementType::u8;

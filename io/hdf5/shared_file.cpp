@@ -12,6 +12,7 @@
 #include "io/hdf5/file_driver.hpp"
 #include "io/hdf5/hdf5_checks.hpp"
 #include "io/hdf5/packed_rows.hpp"
+#include "io/hdf5/whole_chunks.hpp"
 
 namespace scree::io {
 
@@ -136,17 +137,18 @@ void SharedFile::plain_rows(const std::string& name, const Rows& rows, const Ext
 }
 
 // The ranks tell rank 0 how large their chunks are, it answers where they go.
-void SharedFile::packed_rows(const std::string& name, const Rows& rows, const Extent& extent, const Meaning& meaning,
-                             const Layout& layout) {
-    const std::size_t chunk_rows = std::min<std::size_t>(kPackedRows, extent.total);
-    SCREE_CHECK(ranks_.all(rows.count == 0 || extent.begin % chunk_rows == 0));
+void SharedFile::packed_rows(const std::string& name, const Rows& any_rows, const Extent& extent,
+                             const Meaning& meaning, const Layout& layout) {
+    const std::size_t chunk_rows = std::min<std::size_t>(layout.chunk_rows, extent.total);
+    const WholeChunks whole(any_rows, extent.begin, chunk_rows, ranks_);
+    const Rows& rows = whole.rows();
     std::vector<PackedChunk> chunks;
     if (fault_.empty()) fault_ = fault_of([&] { chunks = pack_rows(rows, chunk_rows, layout, path_); });
     std::vector<Communicator::Message> messages;
     if (!chunks.empty()) {
         std::vector<ChunkSize> sizes;
         for (const PackedChunk& chunk : chunks)
-            sizes.push_back({extent.begin / chunk_rows + sizes.size(), chunk.bytes.size(), chunk.filters_left_out});
+            sizes.push_back({whole.first_chunk() + sizes.size(), chunk.bytes.size(), chunk.filters_left_out});
         messages.push_back({0, to_bytes(sizes)});
     }
     messages = ranks_.exchange(messages);

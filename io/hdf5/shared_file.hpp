@@ -25,8 +25,8 @@ class SharedFile {
     // What is small and equal on all ranks, by rank 0 alone.
     void by_root(const std::function<void(const Hdf5Group& root)>& write);
 
-    // Collective. The rows of all ranks one after another. If they are compressed, each rank's but the last must begin
-    // at a multiple of kPackedRows.
+    // Collective. The rows of all ranks one after another. Compressed ones go to the file in whole chunks: those of a
+    // chunk that began on an earlier rank are sent there first.
     struct Extent {
         std::uint64_t begin = 0;  // of this rank's rows
         std::uint64_t total = 0;

@@ -32,7 +32,7 @@ Numbers read(const Hdf5Group& root, const DatasetInfo& info) {
     for (std::size_t i = 1; i < info.shape.size(); ++i) n.width *= info.shape[i];
     n.value.resize(n.rows * n.width);
     n.bits.resize(n.rows * n.width);
-    if (info.type == ElementType::f64) {
+    if (info.type == ElementType::f64 || info.type == ElementType::f32) {
         read_elements(root, info.name, ElementType::f64, n.value.data());
         std::transform(n.value.begin(), n.value.end(), n.bits.begin(),
                        [](double x) { return std::bit_cast<std::uint64_t>(x); });

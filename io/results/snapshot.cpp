@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/errors.hpp"
 #include "core/parallel/sorted_slices.hpp"
@@ -11,6 +12,9 @@
 #include "io/atomic_file.hpp"
 #include "io/hdf5/hdf5_file.hpp"
 #include "io/hdf5/shared_file.hpp"
+#include "io/results/body_mesh.hpp"
+#include "io/results/shapes_file.hpp"
+#include "io/results/terrain_file.hpp"
 #include "io/results/wall_description.hpp"
 
 namespace scree::io {
@@ -50,6 +54,11 @@ void write_bodies(SharedFile& file, const Scene& scene, const Bodies& bodies, co
         std::vector<std::int32_t> material;
         for (MaterialIndex m : bodies.material) material.push_back(raw(m));
         write("material", rows_of(material), {"1", "row of /materials"});
+    }
+    if (arrays.shape) {
+        std::vector<std::int32_t> shape;
+        for (const ShapeIndex s : bodies.shape) shape.push_back(s == kSphere ? -1 : static_cast<std::int32_t>(raw(s)));
+        write("shape", rows_of(shape), {"1", "row of /shapes/vertices; -1 for a sphere"});
     }
     if ((arrays.shape || asked("orientation")) && arrays.orientation) {
         std::vector<double> wxyz;
@@ -162,16 +171,21 @@ void write_snapshot(const std::string& path, std::uint64_t number, const Scene& 
         write_provenance(root, provenance);
         write_materials(root, scene);
         write_walls(root, scene, state.time);
+        if (!state.shapes.empty()) root.link("shapes", kShapesFile, "/shapes");
+        if (has_terrain(scene)) root.link("terrain", kTerrainFile, "/terrain");
     });
+    const bool shapes = !state.shapes.empty();
+    const auto write = [&](const Bodies& bodies, bool spin, bool orientation) {
+        write_bodies(file, scene, bodies, {spin, orientation, shapes}, layout);
+        if (shapes && scene.output.mesh) write_body_mesh(file, bodies, state.shapes, scene.origin, layout);
+    };
     if (ranks.alone()) {
         const Bodies& b = state.bodies;
-        write_bodies(file, scene, b, {b.spin.size() == b.size(), b.orientation.size() == b.size(), b.has_shapes()},
-                     layout);
+        write(b, b.spin.size() == b.size(), b.orientation.size() == b.size());
     } else {
         const BodySlice slice = slice_bodies(state.bodies, kPackedRows, ranks);
         const bool none = ranks.all(slice.bodies.size() == 0);  // empty arrays are arrays of no bodies
-        const Bodies::Arrays& has = slice.arrays;
-        write_bodies(file, scene, slice.bodies, {has.spin || none, has.orientation || none, has.shape}, layout);
+        write(slice.bodies, slice.arrays.spin || none, slice.arrays.orientation || none);
     }
     if (scene.output.contacts) write_contacts(file, scene, slice_contacts(contacts, kPackedRows, ranks), layout);
     file.close();
@@ -200,10 +214,19 @@ void SnapshotSeries::list_again(std::uint64_t first_number) {
     }
 }
 
+// What is the same in all snapshots.
+void SnapshotSeries::write_constant(const Scene& scene, const State& state, const Provenance& provenance) const {
+    const std::string folder = run_folder_ + "/" + kFolder + "/";
+    if (!state.shapes.empty())
+        write_shapes(folder + kShapesFile, state.shapes, provenance, scene.output.compression, ranks_);
+    if (has_terrain(scene)) write_terrain(folder + kTerrainFile, scene, provenance, ranks_);
+}
+
 void SnapshotSeries::write(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts,
                            const Provenance& provenance) {
     const std::string relative = fmt::format("{}/{:06}.h5", kFolder, state.snapshots_written);
     const std::string path = run_folder_ + "/" + relative;
+    if (!std::exchange(constant_written_, true)) write_constant(scene, state, provenance);
     write_snapshot(path, state.snapshots_written, scene, state, contacts, provenance, ranks_);
     std::uint64_t size = 0;
     by_root(ranks_, [&] {

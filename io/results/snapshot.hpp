@@ -2,11 +2,15 @@
 // nothing restarts. Layout of snapshots/NNNNNN.h5, every dataset with the attributes unit, description and frame:
 //   /            format "scree snapshot", format_version, number, time [s], step, title, gravity [m/s2]
 //   /bodies      id (n), position (n,3) absolute, radius (n); velocity, spin (n,3), mass, material (n),
-//                orientation (n,4) as w,x,y,z: those that the scenario asks for and the run has
+//                orientation (n,4) as w,x,y,z: those that the scenario asks for and the run has. With polyhedra
+//                always orientation and shape (n): row of the arrays one a shape in /shapes, -1 for a sphere
+//   /shapes      with polyhedra: a link to shapes.h5 beside the snapshots (shapes_file.hpp); a vertex of body i is at
+//                position[i] + orientation[i] . vertex
+//   /terrain     with terrain: a link to terrain.h5 beside the snapshots (terrain_file.hpp)
+//   /mesh        with polyhedra, if asked for: their surfaces (body_mesh.hpp)
 //   /materials   name, density
 //   /walls       name, shape, parameters (JSON, in the wall's own frame), material, rotation (w,3,3), translation
-//   (w,3),
-//                present: a point of the wall is at  rotation . local + translation
+//                (w,3), present: a point of the wall is at  rotation . local + translation
 //   /contacts    id_a, id_b (-1 - wall index for a wall), feature, point, normal (from b to a), gap, impulse, force
 //                (mean over the step), both on a, status
 //   /provenance  see provenance.hpp
@@ -48,10 +52,12 @@ class SnapshotSeries {
 
   private:
     void list_again(std::uint64_t first_number);
+    void write_constant(const Scene& scene, const State& state, const Provenance& provenance) const;
 
     std::string run_folder_;
     Communicator ranks_;
     XdmfSeries xdmf_;
+    bool constant_written_ = false;
     std::uint64_t files_ = 0, bytes_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include "io/checksum.hpp"
 #include "io/hdf5/hdf5_file.hpp"
 #include "io/hdf5/shared_file.hpp"
+#include "io/results/flat_shape_fields.hpp"
 
 namespace scree::io {
 
@@ -93,6 +94,7 @@ struct Writer {
     }
     void bodies_here() {}
     void contacts_here() {}
+    void cells_here(std::uint64_t) {}
 
   private:
     template <class Number>
@@ -143,6 +145,14 @@ class Reader {
         } else {
             range_ = {contacts_before(range_.begin, bodies), contacts_before(range_.end, bodies)};
         }
+    }
+
+    // From here on, it reads those of this rank's cells of a raster (core/raster.hpp).
+    void cells_here(std::uint64_t columns) {
+        total_ = rows_in<Packing<double>>("rasters/depth");
+        if (columns == 0 || total_ % columns != 0) throw_length("rasters/depth");
+        const Division rows{total_ / columns, 1, ranks_.size()};
+        range_ = {rows.first(ranks_.rank()) * columns, rows.first(ranks_.rank() + 1) * columns};
     }
 
   private:
@@ -241,23 +251,9 @@ void visit_shapes(Archive& a, S& shapes) {
     if (count == 0) return;
     FlatShapes flat;
     if constexpr (!Archive::kReading) flat = flatten(shapes);
-    whole(a, "shapes/vertices", flat.vertices, {"1", "vertices of each shape"});
-    whole(a, "shapes/faces", flat.faces, {"1", "faces of each shape"});
-    whole(a, "shapes/corners", flat.corners, {"1", "corners of all faces of each shape"});
-    whole(a, "shapes/edges", flat.edges, {"1", "edges of each shape"});
-    whole(a, "shapes/volume", flat.volume, {"m3", "volume"});
-    whole(a, "shapes/radius", flat.radius, {"m", "of the ball about the centre of mass that holds it"});
-    whole(a, "shapes/inner_radius", flat.inner_radius, {"m", "of the ball about the centre of mass inside of it"});
-    whole(a, "shapes/inertia", flat.inertia, {"m5", "principal moments of the volume", "body"});
-    whole(a, "shapes/vertex", flat.vertex, {"m", "vertices, shape after shape", "body"});
-    whole(a, "shapes/face_normal", flat.face_normal, {"1", "outward", "body"});
-    whole(a, "shapes/face_offset", flat.face_offset, {"m", "normal . x on the face"});
-    whole(a, "shapes/sides", flat.sides, {"1", "corners of each face"});
-    whole(a, "shapes/corner", flat.corner, {"1", "vertices of the faces, counted from the first of the shape"});
-    whole(a, "shapes/edge_from", flat.from, {"1", "vertex"});
-    whole(a, "shapes/edge_to", flat.to, {"1", "vertex"});
-    whole(a, "shapes/edge_left", flat.left, {"1", "face that has the edge from `from` to `to`"});
-    whole(a, "shapes/edge_right", flat.right, {"1", "the other face"});
+    visit_fields(flat, [&](const char* name, auto& values, const Meaning& meaning) {
+        whole(a, std::string("shapes/") + name, values, meaning);
+    });
     if constexpr (Archive::kReading) shapes = unflatten(flat);
 }
 
@@ -321,6 +317,20 @@ void visit_measures(Archive& a, S& s) {
     }
 }
 
+template <class Archive, class R>
+void visit_rasters(Archive& a, R& r) {
+    single(a, "rasters/columns", r.columns, {"1", "cells in a row; 0: the scene has no rasters"});
+    if (r.columns == 0) return;
+    a.cells_here(r.columns);
+    each(a, "rasters/depth", r.depth, {"m", "largest flow depth of each cell so far, row after row"});
+    each(a, "rasters/height", r.height, {"m", "largest height above the ground so far"});
+    each(a, "rasters/speed", r.speed, {"m/s", "largest speed so far"});
+    each(a, "rasters/arrival", r.arrival, {"s", "first time that the cell was covered; infinite: not yet"});
+    single(a, "rasters/volume", r.volume, {"m3", "of the bodies at the start"});
+    single(a, "rasters/centre", r.centre, {"m", "centre of mass at the start", "scene"});
+    single(a, "rasters/top", r.top, {"m", "highest point of a body at the start, over its centre", "scene"});
+}
+
 template <class Archive, class L>
 void visit_ledger(Archive& a, L& l) {
     single(a, "ledger/kinetic_0", l.kinetic_0, {"J", "kinetic energy at the start"});
@@ -364,11 +374,14 @@ void visit_state(Archive& a, S& s, B& bodies, W& warm_start) {
     single(a, "block_size", s.block_size, {"m", "edge of the blocks that order the work; 0: not chosen yet"});
     single(a, "snapshots_written", s.snapshots_written, {"1", "snapshots so far"});
     single(a, "history_rows", s.history_rows, {"1", "rows of the history so far"});
+    single(a, "trajectory_rows", s.trajectory_rows, {"1", "rows of the trajectories so far"});
+    whole(a, "followed", s.followed, {"1", "ids of the bodies whose trajectories are written"});
     visit_bodies(a, bodies);
     visit_warm_start(a, warm_start);
     visit_shapes(a, s.shapes);
     visit_doors(a, s);
     visit_measures(a, s);
+    visit_rasters(a, s.rasters);
     visit_ledger(a, s.ledger);
     visit_totals(a, s.totals);
 }

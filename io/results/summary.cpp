@@ -161,6 +161,31 @@ void write_measures(Writer& w, const Summary& s) {
     w.close();
 }
 
+void write_runout(Writer& w, const Runout& r) {
+    const auto place = [](const Vec3& x) { return std::vector<double>{x.x(), x.y(), x.z()}; };
+    w.open("runout");
+    w.real("fall_height", r.fall_height, "m, H: from the highest point released to the toe");
+    w.real("length", r.length, "m, L: horizontal, straight from the one to the other");
+    w.real("height_over_length", r.length > 0.0 ? r.fall_height / r.length : std::nan(""), "H/L");
+    w.reals("top", place(r.top));
+    w.reals("toe", place(r.toe));
+    w.open("centre_of_mass");
+    w.reals("start", place(r.centre_before));
+    w.reals("end", place(r.centre_after));
+    w.real("fall_height", r.centre_fall, "m");
+    w.real("length", r.centre_length, "m, horizontal");
+    w.real("height_over_length", r.centre_length > 0.0 ? r.centre_fall / r.centre_length : std::nan(""));
+    w.close();
+    w.real("released_volume", r.released_volume, "m3, of the bodies at the start, without pores");
+    w.open("deposit");
+    w.real("area", r.deposit_area, "m2, cells deeper than rasters.covered");
+    w.real("volume", r.deposit_volume, "m3, their flow depth times their area");
+    w.real("depth_max", r.deposit_most, "m");
+    w.close();
+    w.real("flowed_area", r.flowed_area, "m2, cells that were covered at any time");
+    w.close();
+}
+
 void write_provenance_map(Writer& w, const Provenance& p) {
     w.open("provenance");
     for (const auto& [name, value] : provenance_lines(p)) {
@@ -232,6 +257,7 @@ std::string to_yaml(const Summary& s) {
     write_energy(w, s);
     write_mass(w, s);
     write_measures(w, s);
+    if (s.runout) write_runout(w, *s.runout);
     write_error_vs_time(w, s);
     write_plan(w, s);
     w.open("output");

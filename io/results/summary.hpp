@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/parallel/communicator.hpp"
 #include "core/plan.hpp"
+#include "core/runout.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
 #include "io/results/provenance.hpp"
@@ -47,6 +49,7 @@ struct Summary {
     std::size_t contacts = 0;         // of the last step
     std::size_t active_contacts = 0;  // of them with an impulse
     std::vector<SummaryMean> measures;
+    std::optional<Runout> runout;
     std::uint64_t output_files = 0, output_bytes = 0;
     std::vector<std::string> warnings;  // sentences
     Provenance provenance;

@@ -46,6 +46,8 @@ std::vector<Row> blocks();  // generators of many polyhedra
 std::vector<Row> walls();
 std::vector<Row> flows();  // outlets and inlets
 std::vector<Row> measures();
+std::vector<Row> rasters();
+std::vector<Row> trajectories();
 std::vector<Row> output();
 std::vector<Row> shared();  // SIZE, REGION and ORIENTATION
 

@@ -7,8 +7,9 @@ namespace scree::io {
 const std::vector<Row>& schema_rows() {
     static const std::vector<Row> table = [] {
         std::vector<Row> all;
-        for (const auto& part : {rows::run(), rows::materials(), rows::shapes(), rows::bodies(), rows::blocks(),
-                                 rows::walls(), rows::flows(), rows::measures(), rows::output(), rows::shared()}) {
+        for (const auto& part :
+             {rows::run(), rows::materials(), rows::shapes(), rows::bodies(), rows::blocks(), rows::walls(),
+              rows::flows(), rows::measures(), rows::rasters(), rows::trajectories(), rows::output(), rows::shared()}) {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;
@@ -35,6 +36,7 @@ const std::vector<Rule>& schema_rules() {
         {ascending, "inlets", {"from", "until"}},
         {ascending, "measures", {"from", "until"}},
         {ascending, "measures[profile]", {"lower", "upper"}},
+        {exactly_one, "trajectories", {"ids", "count"}},
         {ascending, "SIZE[uniform]", {"lower", "upper"}},
         {ascending, "SIZE[normal]", {"lower", "upper"}},
         {ascending, "SIZE[log_normal]", {"lower", "upper"}},

@@ -111,6 +111,14 @@ inline State random_state(std::uint64_t seed, std::size_t bodies, bool spins, bo
         m = {any_number(r), any_number(r), any_number(r), any_number(r), any_number(r), any_number(r), {}};
         for (std::size_t k = 0; k < 2 * i; ++k) m.window_sum.push_back(any_number(r));
     }
+    s.followed = {r.bits() >> 1, r.bits()};
+    s.trajectory_rows = r.bits();
+    s.rasters.columns = 3;
+    for (auto* values : {&s.rasters.depth, &s.rasters.height, &s.rasters.speed, &s.rasters.arrival})
+        for (int k = 0; k < 21; ++k) values->push_back(k == 0 ? RasterState::kNever : any_number(r));
+    s.rasters.volume = any_number(r);
+    s.rasters.centre = any_vector(r);
+    s.rasters.top = any_vector(r);
     s.ledger.kinetic_0 = any_number(r);
     s.ledger.potential_0 = any_number(r);
     s.ledger.kinetic = any_number(r);

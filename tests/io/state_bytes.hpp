@@ -13,7 +13,8 @@ namespace scree::io::testing {
 class StateBytes {
   public:
     explicit StateBytes(const State& s) {
-        all(s.time, s.step, s.next_id, s.block_size, s.snapshots_written, s.history_rows);
+        all(s.time, s.step, s.next_id, s.block_size, s.snapshots_written, s.history_rows, s.trajectory_rows);
+        list(s.followed);
         const Bodies& b = s.bodies;
         list(b.id), list(b.radius), list(b.mass), list(b.material), list(b.position), list(b.velocity), list(b.spin);
         all(b.orientation.size());
@@ -29,6 +30,9 @@ class StateBytes {
                 m.window_time);
             list(m.window_sum);
         }
+        const RasterState& r = s.rasters;
+        all(r.columns, r.volume, r.centre, r.top);
+        list(r.depth), list(r.height), list(r.speed), list(r.arrival);
         static_assert(std::is_trivially_copyable_v<Ledger>);
         all(s.ledger);
         const RunTotals& t = s.totals;

@@ -21,6 +21,7 @@
 #include "io/results/snapshot.hpp"
 #include "io/results/summary.hpp"
 #include "tests/io/io_fixtures.hpp"
+#include "tests/io/polyhedra.hpp"
 #include "tests/io/state_bytes.hpp"
 #include "tests/mpi/dealt.hpp"
 
@@ -85,6 +86,17 @@ WarmStart share_of(const WarmStart& all) {
     return part;
 }
 
+// Leaves this rank's rows of cells.
+void cut_rasters(RasterState& rasters) {
+    for (auto* values : {&rasters.depth, &rasters.height, &rasters.speed, &rasters.arrival}) {
+        const Division rows{values->size() / rasters.columns, 1, world().size()};
+        const auto at = [&](int rank) {
+            return values->begin() + static_cast<std::ptrdiff_t>(rows.first(rank) * rasters.columns);
+        };
+        *values = std::vector<double>(at(world().rank()), at(world().rank() + 1));
+    }
+}
+
 // The whole state, equal on all ranks, and what this one has of it.
 struct Dealt {
     Dealt(std::size_t bodies, bool spins, bool orientations, std::uint64_t seed)
@@ -94,6 +106,7 @@ struct Dealt {
         part = whole;
         part.bodies = share(whole.bodies, seed, Ghosts::some);
         part.warm_start = share_of(whole.warm_start);
+        cut_rasters(part.rasters);
     }
     State whole, part;
 };
@@ -168,6 +181,7 @@ TEST(RanksCheckpoint, IsReadInSlices) {
         State rest = dealt.whole;
         rest.bodies = state.bodies;
         rest.warm_start = state.warm_start;
+        cut_rasters(rest.rasters);
         EXPECT_TRUE(StateBytes(state) == StateBytes(rest));
         // Written again by those who read it, it is the same file.
         const std::string again = write_checkpoint(folder / "again", state, found->provenance, world());
@@ -218,6 +232,29 @@ TEST(RanksSnapshot, IsTheFileOfOneRank) {
                 EXPECT_EQ(a.root().datasets().size(), b.root().datasets().size());
                 const double size_of_one = static_cast<double>(fs::file_size(one));
                 EXPECT_NEAR(static_cast<double>(fs::file_size(many)), size_of_one, 0.01 * size_of_one + 8000.0);
+            });
+        }
+    }
+}
+
+TEST(RanksSnapshot, SurfacesAreThoseOfOneRank) {
+    const SharedFolder folder;
+    std::uint64_t deal = 1;
+    for (const std::size_t bodies : {0U, 1U, 4U, 300U, 20000U}) {
+        for (const int compression : {0, 4}) {
+            const State whole = polyhedra_state(bodies);
+            State part = whole;
+            part.bodies = share(whole.bodies, deal++, Ghosts::some);
+            Scene scene = sample_scene();
+            scene.output.compression = compression;
+            const std::string many = folder / "many.h5", one = folder / "one.h5";
+            write_snapshot(many, 7, scene, part, {}, {}, world());
+            on_root([&] {
+                write_snapshot(one, 7, scene, whole, {}, {});
+                EXPECT_EQ(differences(one, many), "") << bodies << " bodies, compression " << compression;
+                const Hdf5File file = Hdf5File::open(many);
+                const std::vector<DatasetInfo> datasets = file.root().existing_group("mesh").datasets();
+                EXPECT_EQ(datasets.size(), 3U);
             });
         }
     }

@@ -65,6 +65,12 @@ class Camera:
         y = 0.5 * self.height - scale * local[:, 1] + self.pixels_per_metre * self.centre[1]
         return x, y, local[:, 2], scale
 
+    def directions_to_eye(self, points):
+        """Vectors in the world from `points` (n, 3) to the eye, of any length."""
+        if self.distance is None:
+            return np.broadcast_to(self.axes[2], np.shape(points))
+        return self.target + self.distance * self.axes[2] - points
+
     def direction_to_eye(self, point):
         """Unit vector in the world from `point` to the eye."""
         if self.distance is None:

@@ -1,10 +1,10 @@
-"""One picture: the spheres by the rasteriser, the walls as lines over them, a colour bar, a length and the time."""
+"""One picture: bodies and ground by the rasteriser, walls as lines over them, a colour bar, a length and the time."""
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, LinearSegmentedColormap, ListedColormap, Normalize
 
-from . import shading, spheres, walls
+from . import ground, polyhedra, shading, spheres, triangles, walls
 from .style import BLACK, CYCLE, plt, quantity_label
 
 SUPERSAMPLING = 2
@@ -34,12 +34,37 @@ class Colours:
         return self.map(self.norm(values))[:, :3]
 
 
-def raster(snapshot, camera, rgb):
-    """The picture of the bodies and its depth buffer, at the camera's resolution."""
+def raster(snapshot, camera, rgb, bounds):
+    """The picture of the bodies and of the ground, and its depth buffer, at the camera's resolution."""
     buffer = spheres.DepthBuffer(camera.width, camera.height)
     x, y, z, scale = camera.project(snapshot.position)
-    spheres.draw_spheres(buffer, x, y, z, scale, snapshot.radius)
-    return shading.shade(buffer, rgb, x, y, scale, snapshot.radius), buffer
+    ball = snapshot.is_sphere
+    spheres.draw_spheres(buffer, np.where(ball, x, np.nan), y, z, scale, snapshot.radius)
+    colours, normals = [], []
+    first = count = len(snapshot.radius)
+    if not ball.all():
+        faces = polyhedra.Faces(snapshot, np.flatnonzero(~ball), camera)
+        draw_corners(buffer, camera, faces.corner, count + faces.face)
+        one = np.unique(faces.face, return_index=True)[1]
+        colours.append(rgb[faces.body[one]])
+        normals.append(faces.normal[one] @ camera.axes.T)
+        first += len(one)
+    last = first
+    for terrain in snapshot.grounds:
+        corners = terrain.triangles(bounds, camera.pixels_per_metre / SUPERSAMPLING)
+        draw_corners(buffer, camera, corners, last + np.arange(len(corners)))
+        colours.append(np.broadcast_to(ground.STONE, (len(corners), 3)))
+        normals.append(ground.normals_of(corners) @ camera.axes.T)
+        last += len(corners)
+    nothing = np.zeros((0, 3))
+    flats = shading.Flats(np.concatenate([nothing, *colours]), np.concatenate([nothing, *normals]), first - count)
+    radius = (float(np.median(snapshot.radius * scale)), float(np.median(snapshot.radius))) if count else (1.0, 1.0)
+    return shading.shade(buffer, shading.Balls(rgb, x, y, scale, snapshot.radius), flats, radius), buffer
+
+
+def draw_corners(buffer, camera, corners, index):
+    x, y, z, _ = camera.project(corners.reshape(-1, 3))
+    triangles.draw_triangles(buffer, *(values.reshape(-1, 3) for values in (x, y, z)), index)
 
 
 def draw_walls(axes, snapshot, camera, bounds, buffer):
@@ -88,7 +113,7 @@ def time_text(time):
 
 def draw_frame(snapshot, field, colours, camera, bounds, path):
     """Writes one PNG. The camera's pixels are SUPERSAMPLING times finer than the picture's."""
-    image, buffer = raster(snapshot, camera, colours.of(field.values))
+    image, buffer = raster(snapshot, camera, colours.of(field.values), bounds)
     image = shading.shrink(image, SUPERSAMPLING)
     height, width = image.shape[:2]
     left, right, above, below = 24, 116, 52, 56  # pixels around the picture

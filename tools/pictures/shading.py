@@ -1,30 +1,63 @@
-"""From the depth buffer to a picture: light on the spheres, darker gaps between them."""
+"""From the depth buffer to a picture: light on spheres, faces and ground, darker gaps between bodies."""
 import numpy as np
 
 LIGHT = np.array([-0.45, 0.60, 0.66])  # towards the light, camera coordinates, unit to 1e-3
 AMBIENT, DIFFUSE, GLOSS = 0.52, 0.66, 0.16
 BACKGROUND = np.array([1.0, 1.0, 1.0])
+EDGE = 0.78  # of the light, on the edges of polyhedra
 
 
-def shade(buffer, colours, x, y, scale, radius):
-    """RGB image (height, width, 3) from the colours (n, 3) of the spheres."""
+class Balls:
+    """Spheres in the picture: colours (n, 3), centres and scale in pixels, radius [m]."""
+
+    def __init__(self, colours, x, y, scale, radius):
+        self.colours, self.x, self.y, self.r = colours, x, y, np.maximum(radius * scale, 0.5)
+
+
+class Flats:
+    """Plane pieces, whose indices in the buffer come after those of all balls: colours and unit normals (m, 3) in
+    camera coordinates. The first `faces` of them are faces of bodies, which have edges and gloss; the rest is ground."""
+
+    def __init__(self, colours, normals, faces):
+        self.colours, self.normals, self.faces = colours, normals, faces
+
+
+def shade(buffer, balls, flats, radius):
+    """RGB image (height, width, 3). `radius`: a usual one of the bodies, in pixels and in metres."""
     image = np.broadcast_to(BACKGROUND, (buffer.height, buffer.width, 3)).copy()
     rows, columns = np.nonzero(buffer.index >= 0)
     if len(rows) == 0:
         return image
-    sphere = buffer.index[rows, columns]
-    r = np.maximum(radius * scale, 0.5)[sphere]
-    nx = np.clip((columns + 0.5 - x[sphere]) / r, -1.0, 1.0)
-    ny = np.clip(-(rows + 0.5 - y[sphere]) / r, -1.0, 1.0)
-    nz = np.sqrt(np.maximum(1.0 - nx * nx - ny * ny, 0.0))
-    facing = nx * LIGHT[0] + ny * LIGHT[1] + nz * LIGHT[2]
+    index, count = buffer.index[rows, columns], len(balls.r)
+    normal, colour = np.empty((len(index), 3)), np.empty((len(index), 3))
+    ball = np.flatnonzero(index < count)
+    of = index[ball]
+    nx = np.clip((columns[ball] + 0.5 - balls.x[of]) / balls.r[of], -1.0, 1.0)
+    ny = np.clip(-(rows[ball] + 0.5 - balls.y[of]) / balls.r[of], -1.0, 1.0)
+    normal[ball] = np.column_stack([nx, ny, np.sqrt(np.maximum(1.0 - nx * nx - ny * ny, 0.0))])
+    colour[ball] = balls.colours[of]
+    flat = np.flatnonzero(index >= count)
+    normal[flat], colour[flat] = flats.normals[index[flat] - count], flats.colours[index[flat] - count]
     # half-way vector between light and eye, for a soft spot of gloss
     half = (LIGHT + np.array([0.0, 0.0, 1.0])) / np.linalg.norm(LIGHT + np.array([0.0, 0.0, 1.0]))
-    gloss = GLOSS * np.maximum(nx * half[0] + ny * half[1] + nz * half[2], 0.0) ** 24
-    light = (AMBIENT + DIFFUSE * np.maximum(facing, 0.0)) * (0.72 + 0.28 * nz)
-    light *= openness(buffer, float(np.median(r)), float(np.median(radius)))[rows, columns]
-    image[rows, columns] = np.clip(colours[sphere] * light[:, None] + gloss[:, None], 0.0, 1.0)
+    gloss = GLOSS * np.maximum(normal @ half, 0.0) ** 24
+    gloss[index >= count + flats.faces] = 0.0
+    light = (AMBIENT + DIFFUSE * np.maximum(normal @ LIGHT, 0.0)) * (0.72 + 0.28 * np.maximum(normal[:, 2], 0.0))
+    light *= (openness(buffer, *radius) * edges(buffer, count, count + flats.faces))[rows, columns]
+    image[rows, columns] = np.clip(colour * light[:, None] + gloss[:, None], 0.0, 1.0)
     return image
+
+
+def edges(buffer, first, last):
+    """1, but EDGE where two faces of bodies, or a face and something else, meet."""
+    index = buffer.index
+    face = (index >= first) & (index < last)
+    result = np.ones(index.shape)
+    if face.any():
+        for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:, 1:], np.s_[:, :-1]),
+                            (np.s_[:-1, :], np.s_[1:, :]), (np.s_[1:, :], np.s_[:-1, :])):
+            result[here][face[here] & (index[here] != index[there])] = EDGE
+    return result
 
 
 def openness(buffer, pixels, radius):

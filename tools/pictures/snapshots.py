@@ -1,18 +1,20 @@
-"""One snapshot: bodies, the fields that can colour them, and the walls. Layout: io/snapshot.hpp."""
+"""One snapshot: bodies, the fields that can colour them, the walls and the ground. Layout: io/results/snapshot.hpp."""
 import json
 import pathlib
 
 import numpy as np
 
 from .errors import PictureError
+from .ground import Ground
+from .polyhedra import Shapes
 from .runs import open_hdf5, text_of
 
 
 class Wall:
     """A wall that is present; a point of it is at rotation @ local + translation."""
 
-    def __init__(self, name, shape, parameters, rotation, translation):
-        self.name, self.shape, self.parameters = name, shape, parameters
+    def __init__(self, name, shape, parameters, rotation, translation, row=0):
+        self.row, self.name, self.shape, self.parameters = row, name, shape, parameters
         self.rotation, self.translation = rotation, translation
 
     def to_world(self, local):
@@ -62,8 +64,13 @@ class Snapshot:
             if "materials" in file and "name" in file["materials"]:
                 self.materials = [text_of(name) for name in file["materials/name"][...]]
             self.walls = read_walls(file["walls"], path) if "walls" in file else []
+            self.shapes = Shapes(linked(file, "shapes", path)) if "shape" in self.bodies else None
+            self.grounds = read_grounds(file, self.walls, path)
         self.position = np.asarray(self.bodies["position"], dtype=float).reshape(-1, 3)
         self.radius = np.asarray(self.bodies["radius"], dtype=float)
+        self.shape = np.asarray(self.bodies.get("shape", np.full(len(self.radius), -1)), dtype=int)
+        self.is_sphere = self.shape < 0
+        self.orientation = np.asarray(self.bodies.get("orientation", np.zeros((0, 4))), dtype=float)
 
     def available_fields(self):
         return [name for name, (dataset, *_) in FIELDS.items() if dataset in self.bodies]
@@ -85,6 +92,19 @@ class Snapshot:
         return Field(name, values, self.units.get(dataset, ""), label, signed, names)
 
 
+def linked(file, name, path):
+    """A group that lies in a file of its own beside the snapshots."""
+    try:
+        return file[name]
+    except KeyError as error:
+        raise PictureError(f"{path} needs {name}.h5 beside it, which is not there") from error
+
+
+def read_grounds(file, walls, path):
+    """One for each terrain wall that is present."""
+    return [Ground(linked(file, "terrain", path)[str(wall.row)]) for wall in walls if wall.shape == "terrain"]
+
+
 def read_walls(group, path):
     """The walls that are present at the snapshot's time."""
     try:
@@ -92,7 +112,7 @@ def read_walls(group, path):
         present = group["present"][...].astype(bool) if "present" in group else np.ones(count, dtype=bool)
         return [Wall(text_of(group["name"][i]), text_of(group["shape"][i]), json.loads(text_of(group["parameters"][i])),
                      np.asarray(group["rotation"][i], dtype=float).reshape(3, 3),
-                     np.asarray(group["translation"][i], dtype=float))
+                     np.asarray(group["translation"][i], dtype=float), i)
                 for i in range(count) if present[i]]
     except (KeyError, ValueError) as error:
         raise PictureError(f"{path}: the walls cannot be read ({error})") from error

@@ -42,6 +42,8 @@ def extent_of(wall, reach):
         points = np.concatenate([circle(base, axis, radii[0]), circle(end, axis, radii[1])])
     elif wall.shape == "disc":
         points = circle(np.asarray(p["centre"], float), unit(p["normal"]), p["radius"])
+    elif wall.shape == "terrain":
+        points = np.array([p["lower"], p["upper"]], float)
     else:
         return None
     world = wall.to_world(points)
