@@ -9,7 +9,7 @@
 //   p_T = (S + lambda)^-1 S x = e (x_1, x_2 / R),      e = a1 / (a1 + lambda) in (0, 1),   R = ratio + (1 - ratio) e,
 // ratio = a1 / a2, and |p_T| = mu p_N becomes one equation in e:
 //   N(e) = |p_T| + mu k.p_T = mu s.
-// Written out it is the quartic of Bonnefon and Daviet (2011, INRIA RT-0402); this form needs no powers of a1 and a2.
+// Written out it is the quartic of Bonnefon and Daviet (2011, INRIA RT-0400); this form needs no powers of a1 and a2.
 // N(0) = 0 < mu s < N(1), so there is always a root between. 1/N as a function of 1/e is a straight line for ratio = 1
 // and concave for k = 0, where Newton's iteration on it rises to the root from e = 1 without ever passing it (as for
 // the secular equation of trust regions, Moré and Sorensen 1983). For any k a bracket holds it: bisection of log(e)
