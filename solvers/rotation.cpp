@@ -56,7 +56,13 @@ Vec3 spin_of(const Quat& orientation, const Vec3& inertia, const Vec3& momentum)
 Mat3 inverse_inertia(const Quat& orientation, const Vec3& inertia) {
     if (is_sphere(inertia)) return Mat3::Identity() / inertia[0];
     const Mat3 r = orientation.toRotationMatrix();
-    return r * inertia.cwiseInverse().asDiagonal() * r.transpose();
+    const Vec3 inverse = inertia.cwiseInverse();
+    Mat3 j;  // written out: in which order a library's product adds up depends on the width of registers
+    for (int d = 0; d < 3; ++d)
+        for (int e = 0; e <= d; ++e)
+            j(d, e) = j(e, d) = (inverse[0] * (r(d, 0) * r(e, 0)) + inverse[1] * (r(d, 1) * r(e, 1))) +
+                                inverse[2] * (r(d, 2) * r(e, 2));
+    return j;
 }
 
 void move_freely(Bodies& bodies, double time, ExactSum& gain) {
