@@ -80,7 +80,7 @@ const std::vector<Wrong> kKeys{
      {},
      {"4:1: error: 'graviti' is not a key of the scenario (did you mean 'gravity'?); its keys are scenario_version, "
       "title, description, include, seed, origin, gravity, gravity_table, time, solver, correction, materials, pairs, "
-      "shapes, bodies, walls, outlets, inlets, measures, output"}},
+      "shapes, bodies, walls, outlets, inlets, measures, rasters, trajectories, output"}},
     {"unknown_key",
      "+correction: {swep: 3}\n",
      {},
