@@ -159,16 +159,16 @@ TEST(Parts, FilesOfPolyhedra) {
     folder.write("bed.txt", lines);
     folder.write("wedge.off", "OFF\n4 4 0\n0 0 0\n0.2 0 0\n0 0.1 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
     folder.write("open.off", "OFF\n4 1 0\n0 0 0\n0.2 0 0\n0 0.1 0\n0 0 0.1\n3 0 2 1\n");
+    folder.write("points.txt", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n5 1 1\n");
+    folder.write("plane.txt", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n\n5 0 x\n");
     std::string path = folder.path();
-    ranks.broadcast(path);  // only rank 0 reads, and the others have no such files
+    ranks.broadcast(path);  // all files are written; only rank 0 has this folder
     const std::string file =
         "  - {generator: file, material: glass, path: bed.txt, columns: [x, y, z, shape, d], "
         "orientation: {random: true}}\n";
     expect_same_on_all_ranks(file + file, path, kShapes);
     expect_same_on_all_ranks(lattice("cells: [3, 3, 3], shape: wedge"), path,
                              "shapes:\n  - {name: wedge, kind: file, path: wedge.off}\n");
-    folder.write("points.txt", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n5 1 1\n");
-    folder.write("plane.txt", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n\n5 0 x\n");
     for (const char* points : {"points.txt", "plane.txt", "none.txt"})
         expect_same_on_all_ranks(
             std::string("  - {generator: hulls, material: glass, offset: [0, 0, 1], path: ") + points + "}\n", path);
