@@ -191,9 +191,9 @@ std::string check_report(const std::string& scenario_name, const Scene& scene, c
     }
     const CostEstimate cost = estimate_cost(scene, plan, state);
     text += "cost (estimates; files before compression)\n";
-    text += fmt::format("  memory      {} bytes a body, {} bytes a contact: about {} with {} contacts\n",
-                        plan.bytes_per_body, plan.bytes_per_contact, bytes_text(cost.memory),
-                        count_text(static_cast<std::uint64_t>(cost.contacts)));
+    text += fmt::format("  memory      {} bytes a body, {} bytes a contact{}: about {} with {} contacts\n",
+                        plan.bytes_per_body, plan.bytes_per_contact, plan.polyhedra ? " (counted for spheres)" : "",
+                        bytes_text(cost.memory), count_text(static_cast<std::uint64_t>(cost.contacts)));
     text += fmt::format("  snapshots   {}, {} each: {}\n", count_text(schedule.snapshots()), bytes_text(cost.snapshot),
                         bytes_text(cost.snapshots));
     text +=

@@ -36,5 +36,21 @@ TEST(MemoryModel, SpinsAndTangentsAreNotHeldWithoutFriction) {
     EXPECT_LE(without.bytes_per_contact + 16U, with.bytes_per_contact);
 }
 
+// Polyhedra are counted as spheres would be, with the spins and orientations that they have.
+TEST(MemoryModel, OfScenesWithPolyhedra) {
+    Scene scene;
+    scene.time.step = 1e-3;
+    scene.time.end = 1.0;
+    scene.materials = {{"stone", 2600.0}};
+    scene.pairs = PairTable(1);
+    Bodies bodies;
+    bodies.material.assign(2, MaterialIndex{0});
+    bodies.shape.assign(2, ShapeIndex{0});
+    Plan plan = make_plan(scene, bodies);
+    measure_memory(scene, plan);
+    EXPECT_TRUE(plan.polyhedra);
+    EXPECT_GE(plan.bytes_per_body, 98U + 24U + 32U);
+}
+
 }  // namespace
 }  // namespace scree::app

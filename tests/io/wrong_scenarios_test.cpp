@@ -323,6 +323,115 @@ const std::vector<Wrong> kValues{
      {"4:49: error: measures[0].wall: 'floor' is not one of the walls; none is given"}},
 };
 
+const std::vector<Wrong> kShapes{
+    {"shape_without_kind",
+     "+shapes:\n- {name: a}\n",
+     {},
+     {"5:3: error: shapes[0]: 'kind' is missing; expected one of box, prism, tetrahedron, octahedron, dodecahedron, "
+      "icosahedron, eota, rock, hull, file"}},
+    {"unknown_kind",
+     "+shapes:\n- {name: a, kind: octaedron, edge: 1}\n",
+     {},
+     {"5:19: error: shapes[0].kind: 'octaedron' (did you mean 'octahedron'?); expected one of box, prism, tetrahedron, "
+      "octahedron, dodecahedron, icosahedron, eota, rock, hull, file"}},
+    {"shape_without_name",
+     "+shapes:\n- {kind: box, size: 1}\n",
+     {},
+     {"5:3: error: shapes[0] (kind: box) lacks the key 'name': expected a text"}},
+    {"two_shapes_of_one_name",
+     "+shapes:\n- {name: a, kind: box, size: 1}\n- {name: a, kind: box, size: 2}\n",
+     {},
+     {"6:10: error: shapes[1].name: 'a' is taken already, by shapes[0].name on line 5"}},
+    {"unknown_key_of_a_shape",
+     "+shapes:\n- {name: a, kind: prism, sides: 6, radius: 1, hight: 2}\n",
+     {},
+     {"5:3: error: shapes[0] (kind: prism) lacks the key 'height': expected a length > 0 (m, cm, mm, um, km)",
+      "5:47: error: 'hight' is not a key of shapes[0] (kind: prism) (did you mean 'height'?); its keys are kind, name, "
+      "sides, radius, height, diameter, volume"}},
+    {"too_few_sides",
+     "+shapes:\n- {name: a, kind: prism, sides: 2, radius: 1, height: 2}\n",
+     {},
+     {"5:33: error: shapes[0].sides: '2' is out of range; expected an integer 3 to 1000"}},
+    {"no_size",
+     "+shapes:\n- {name: a, kind: icosahedron}\n",
+     {},
+     {"5:3: error: shapes[0] (kind: icosahedron) lacks one of the keys edge, diameter, volume"}},
+    {"two_sizes",
+     "+shapes:\n- {name: a, kind: rock, length: 1, volume: 2 L}\n",
+     {},
+     {"5:36: error: 'length' and 'volume' of shapes[0] (kind: rock) exclude each other; keep one"}},
+    {"two_scales",
+     "+shapes:\n- {name: a, kind: file, path: a.off, scale: 2, diameter: 1}\n",
+     {},
+     {"5:48: error: 'scale' and 'diameter' of shapes[0] (kind: file) exclude each other; keep one"}},
+    {"volume_in_metres",
+     "+shapes:\n- {name: a, kind: octahedron, volume: 2 m}\n",
+     {},
+     {"5:39: error: shapes[0].volume: '2 m' is a length; expected a volume > 0 (m3, L, cm3, mm3)"}},
+    {"elongation_above_1",
+     "+shapes:\n- {name: a, kind: rock, length: 1, elongation: 1.5}\n",
+     {},
+     {"5:48: error: shapes[0].elongation: '1.5' is out of range; expected a number > 0 and <= 1"}},
+    {"unknown_eota",
+     "+shapes:\n- {name: a, kind: eota, length: 1, form: EOTA112}\n",
+     {},
+     {"5:42: error: shapes[0].form: 'EOTA112' (did you mean 'EOTA111'?); expected one of EOTA111, EOTA211, EOTA221"}},
+    {"point_of_two",
+     "+shapes:\n- {name: a, kind: hull, points: [[0, 0, 0], [1, 0]]}\n",
+     {},
+     {"5:45: error: shapes[0].points[1]: a list of 2; expected a row [x, y, z]"}},
+    {"no_such_shape",
+     "+bodies:\n- {generator: polyhedron, shape: bloc, material: glass, position: [0, 0, 0]}\n",
+     {},
+     {"5:34: error: bodies[0].shape: 'bloc' is not one of the shapes; none is given"}},
+    {"neither_size_nor_shape",
+     "+bodies:\n- {generator: lattice, material: glass, corner: [0, 0, 0], pitch: 1, cells: [1, 1, 1]}\n",
+     {},
+     {"5:3: error: bodies[0] (generator: lattice) lacks one of the keys size, shape"}},
+    {"quaternion_of_three",
+     "+shapes: [{name: a, kind: box, size: 1}]\nbodies:\n- {generator: polyhedron, shape: a, material: glass, "
+     "position: [0, 0, 0], orientation: {quaternion: [1, 0, x]}}\n",
+     {},
+     {"6:101: error: bodies[0].orientation.quaternion: a list of 3; expected a list of 4 numbers"}},
+    {"quaternion_of_words",
+     "+shapes: [{name: a, kind: box, size: 1}]\nbodies:\n- {generator: polyhedron, shape: a, material: glass, "
+     "position: [0, 0, 0], orientation: {quaternion: [1, 0, x, 0]}}\n",
+     {},
+     {"6:108: error: bodies[0].orientation.quaternion[2]: 'x' is not a number; expected a number"}},
+    {"two_orientations",
+     "+shapes: [{name: a, kind: box, size: 1}]\nbodies:\n- {generator: polyhedron, shape: a, material: glass, "
+     "position: [0, 0, 0], orientation: {random: true, euler: [0, 0, 0]}}\n",
+     {},
+     {"6:89: error: 'euler' and 'random' of bodies[0].orientation exclude each other; keep one"}},
+    {"voronoi_in_a_ball",
+     "+bodies:\n- {generator: voronoi, material: glass, count: 3, region: {shape: sphere, centre: [0, 0, 0], radius: "
+     "1}}\n",
+     {},
+     {"5:67: error: bodies[0].region.shape: 'sphere'; expected one of box"}},
+    {"joint_without_spacing",
+     "+bodies:\n- {generator: rock_mass, material: glass, points: [[0, 0, 0]], joints: [{dip: 95 deg}]}\n",
+     {},
+     {"5:73: error: bodies[0].joints[0] lacks the key 'spacing': expected a length > 0 (m, cm, mm, um, km)",
+      "5:79: error: bodies[0].joints[0].dip: '95 deg' is out of range; expected an angle 0 to 1.5707963267948966 (rad, "
+      "deg)"}},
+    {"rock_mass_of_nothing",
+     "+bodies:\n- {generator: rock_mass, material: glass}\n",
+     {},
+     {"5:3: error: bodies[0] (generator: rock_mass) lacks one of the keys region, points"}},
+    {"arch_all_round_and_more",
+     "+bodies:\n- {generator: arch, material: glass, centre: [0, 0, 0], count: 9, radius: 1, thickness: 0.1, depth: 1, "
+     "embrace: 400 deg}\n",
+     {},
+     {"5:113: error: bodies[0].embrace: '400 deg' is out of range; expected an angle > 0 and <= 6.283185307179586 "
+      "(rad, deg)"}},
+    {"unknown_bond",
+     "+bodies:\n- {generator: wall_of_blocks, material: glass, corner: [0, 0, 0], rows: 2, columns: 2, size: [1, 1, "
+     "1], "
+     "bond: runing}\n",
+     {},
+     {"5:111: error: bodies[0].bond: 'runing' (did you mean 'running'?); expected one of running, stack"}},
+};
+
 const std::vector<Wrong> kOverrides{
     {"override_value",
      "+",
@@ -386,6 +495,7 @@ std::string name_of(const testing::TestParamInfo<Wrong>& info) {
 INSTANTIATE_TEST_SUITE_P(Syntax, WrongScenario, testing::ValuesIn(kSyntax), name_of);
 INSTANTIATE_TEST_SUITE_P(Keys, WrongScenario, testing::ValuesIn(kKeys), name_of);
 INSTANTIATE_TEST_SUITE_P(Values, WrongScenario, testing::ValuesIn(kValues), name_of);
+INSTANTIATE_TEST_SUITE_P(Shapes, WrongScenario, testing::ValuesIn(kShapes), name_of);
 INSTANTIATE_TEST_SUITE_P(Overrides, WrongScenario, testing::ValuesIn(kOverrides), name_of);
 
 }  // namespace
