@@ -97,8 +97,8 @@ struct ShapesOfName {
         if (shapes > 1) line += fmt::format(", {} shapes", count_text(shapes));
         line += least_vertices == most_vertices ? fmt::format(", {} vertices", most_vertices)
                                                 : fmt::format(", {} to {} vertices", least_vertices, most_vertices);
-        return line + (smallest == largest ? fmt::format(", {:.4g} m3\n", largest)
-                                           : fmt::format(", {:.4g} to {:.4g} m3\n", smallest, largest));
+        const std::string least = fmt::format("{:.4g}", smallest), most = fmt::format("{:.4g}", largest);
+        return line + (least == most ? fmt::format(", {} m3\n", most) : fmt::format(", {} to {} m3\n", least, most));
     }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "scenarios/named_shapes.hpp"
 #include "scenarios/placed_blocks.hpp"
 #include "scenarios/regions.hpp"
 #include "scenarios/shapes/convex_hull.hpp"
@@ -54,6 +55,17 @@ std::vector<PlacedShape> cells_of(const Polyhedron& body, std::size_t count, std
     return cells;
 }
 
+// Takes those smaller than `smallest` out; returns their volume [m3].
+double leave_out(std::vector<PlacedShape>& blocks, double smallest) {
+    double volume = 0.0;
+    std::erase_if(blocks, [&](const PlacedShape& block) {
+        const bool small = equivalent_diameter(block.shape) < smallest;
+        if (small) volume += block.shape.volume;
+        return small;
+    });
+    return volume;
+}
+
 void add_shrunk(const io::Node& node, const Context& context, const Communicator& ranks,
                 std::vector<PlacedShape> blocks, BodyList& bodies) {
     const double gap = node.number("gap");
@@ -65,6 +77,16 @@ void add_shrunk(const io::Node& node, const Context& context, const Communicator
     if (left.gone != 0)
         context.warning(node.at("gap"),
                         fmt::format("is more than the thickness of {} blocks; they are left out", left.gone));
+    const std::size_t before = left.blocks.size();
+    const double volume = leave_out(left.blocks, node.number("smallest"));
+    const std::size_t small = before - left.blocks.size();
+    if (small == before) {
+        context.error(node.at("smallest"), fmt::format("is more than the size of all {} blocks", before));
+        return;
+    }
+    if (small != 0)
+        context.warning(node.at("smallest"),
+                        fmt::format("leaves out {} of {} blocks, {:.3g} m3", small, before, volume));
     add_blocks(node, context, ranks, std::move(left.blocks), bodies);
 }
 

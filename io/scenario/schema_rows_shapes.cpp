@@ -221,6 +221,14 @@ std::vector<Row> blocks() {
                            .in(kNotNegative)
                            .says("Distance between neighbours at the start. 0: they touch."));
     }
+    for (const char* generator : {"voronoi", "rock_mass"}) {
+        rows.push_back(
+            number(std::string("bodies[") + generator + "].smallest", length)
+                .standardly("0")
+                .in(kNotNegative)
+                .says("Blocks whose ball of equal volume has a smaller diameter are left out: slivers, which "
+                      "would ask for a finer step than all others."));
+    }
     for (const char* generator : {"voronoi", "rock_mass", "hulls", "wall_of_blocks", "arch"}) {
         const std::string path = std::string("bodies[") + generator + "].";
         rows.push_back(text(path + "material").required().naming("materials").says("Their material."));

@@ -133,6 +133,26 @@ TEST(RockMass, BlocksFillTheRegionAndLieBetweenTheirJoints) {
     EXPECT_NE(positions(build_good("seed: 2\n" + one(kRock + joints))), positions(built));
 }
 
+TEST(RockMass, SliversCanBeLeftOut) {
+    const std::string joints = ", joints: [{dip: 30 deg, spacing: 1, angle_scatter: 5 deg}, {dip: 80 deg, spacing: 1}]";
+    const State all = build_good(one(kRock + joints)).state;
+    const auto some = build_text(one(kRock + joints + ", smallest: 1.5"));
+    const double least = std::numbers::pi / 6.0 * 1.5 * 1.5 * 1.5;
+    std::size_t small = 0;
+    double volume = 0.0;
+    for (const ConvexShape& shape : all.shapes) {
+        if (shape.volume >= least) continue;
+        ++small;
+        volume += shape.volume;
+    }
+    EXPECT_GT(small, 0U);
+    EXPECT_EQ(some.built.state.bodies.size(), all.bodies.size() - small);
+    EXPECT_NEAR(volume_of_all(some.built.state), 64.0 - volume, 1e-11);
+    EXPECT_NE(some.warnings.find("bodies[0].smallest: leaves out " + std::to_string(small) + " of "), std::string::npos)
+        << some.warnings;
+    expect_error(one(kRock + joints + ", smallest: 9"), {"bodies[0].smallest: is more than the size of all "});
+}
+
 TEST(RockMass, OfTheHullOfPoints) {
     // A slope: a prism of 6 corners, half of a box of 4 x 3 x 2.
     const std::string slope =
