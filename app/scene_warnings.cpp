@@ -65,7 +65,9 @@ std::vector<std::string> step_warnings(const Scene& scene, const State& state, c
     std::vector<std::string> warnings;
     const Bodies& bodies = state.bodies;
     double smallest = std::numeric_limits<double>::infinity();
-    for (const double r : bodies.radius) smallest = std::min(smallest, 2.0 * r);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        smallest = std::min(
+            smallest, 2.0 * (bodies.is_sphere(i) ? bodies.radius[i] : state.shapes[raw(bodies.shape[i])].inner_radius));
     smallest = ranks.min(smallest);
     for (const Inlet& inlet : scene.inlets) smallest = std::min(smallest, smallest_diameter(inlet.size));
     if (!std::isfinite(smallest)) return warnings;

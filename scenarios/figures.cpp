@@ -13,6 +13,7 @@
 namespace scree::scenarios {
 namespace {
 
+constexpr std::size_t kSizeClasses = 20;
 constexpr double kUnitTolerance = 1e-3;  // of a quaternion's length; text may have few digits
 
 Quat quaternion(const io::Node& node, const Context& context) {
@@ -39,8 +40,9 @@ Quat random_orientation(Random& random) {
 
 Orientations::Orientations(const io::Node& node, const Context& context) {
     if (node.has("axis")) {
-        fixed_ = about(context.direction(node.at("axis")), node.number("angle"));
-    } else if (node.at("angle").given) {
+        if (!node.has("angle")) context.error(node.at("axis"), "needs an `angle`");
+        fixed_ = about(context.direction(node.at("axis")), number_or(node, "angle", 0.0));
+    } else if (node.has("angle")) {
         context.error(node.at("angle"), "is the angle about an `axis`, which is not given");
     } else if (node.has("quaternion")) {
         fixed_ = quaternion(node.at("quaternion"), context);
@@ -80,13 +82,15 @@ std::optional<Figures> Figures::read(const io::Node& node, std::uint64_t stream,
         if (node.has("orientation")) figures.orientations_ = Orientations(node.at("orientation"), context);
     } else {
         for (const char* key : {"orientation", "size_classes"})
-            if (node.has(key) && node.at(key).given) context.error(node.at(key), "needs a `shape`: these are spheres");
+            if (node.has(key)) context.error(node.at(key), "needs a `shape`: these are spheres");
     }
     if (context.errors() != before) return std::nullopt;
     if (figures.named_ == nullptr) return figures;
 
     const bool one_size = !figures.size_ || smallest_diameter(*figures.size_) == largest_diameter(*figures.size_);
-    if (!one_size) figures.classes_ = static_cast<std::size_t>(node.integer("size_classes"));
+    if (!one_size)
+        figures.classes_ =
+            node.has("size_classes") ? static_cast<std::size_t>(node.integer("size_classes")) : kSizeClasses;
     for (std::size_t v = 0; v < figures.named_->variants.size(); ++v) {
         const double own = equivalent_diameter(figures.named_->variants[v].shape);
         for (std::size_t c = 0; c < figures.classes_; ++c) {

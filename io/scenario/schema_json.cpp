@@ -91,7 +91,11 @@ void add_rules(Json& schema, const std::vector<const Rule*>& rules) {
     for (const Rule* rule : rules) {
         if (rule->kind == Rule::Kind::ascending) continue;  // JSON Schema cannot compare two values
         if (rule->kind == Rule::Kind::at_most_one) {
-            schema["not"] = {{"required", rule->keys}};
+            Json pairs = Json::array();
+            for (std::size_t i = 0; i < rule->keys.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k)
+                    pairs.push_back({{"required", Json::array({rule->keys[k], rule->keys[i]})}});
+            schema["not"] = pairs.size() == 1 ? pairs.front() : Json{{"anyOf", pairs}};
             continue;
         }
         const char* const some = rule->kind == Rule::Kind::exactly_one ? "oneOf" : "anyOf";

@@ -155,10 +155,10 @@ std::vector<Row> bodies() {
     }
     for (const char* generator : {"lattice", "random"}) {
         rows.push_back(integer(std::string("bodies[") + generator + "].size_classes")
-                           .standardly("20")
+                           .or_else("20")
                            .in(between(1, 10000))
                            .says("Polyhedra get one of so many sizes, evenly spaced in the logarithm over the range of "
-                                 "`size`, the nearest to what was drawn. Each is a shape in memory. No meaning for "
+                                 "`size`, the nearest to what was drawn. Each is a shape in memory. Not for "
                                  "spheres."));
     }
     for (const char* generator : {"sphere", "polyhedron", "lattice", "random"}) {

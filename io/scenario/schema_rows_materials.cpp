@@ -119,7 +119,7 @@ std::vector<Row> shared() {
         direction("ORIENTATION.axis")
             .or_else("another key says it")
             .says("Axis of the rotation by `angle`, right-handed; its length does not matter."),
-        number("ORIENTATION.angle", angle).standardly("0").says("Angle about `axis`; no meaning without it."),
+        number("ORIENTATION.angle", angle).or_else("there is no `axis`").says("Angle about `axis`; they go together."),
         vector("ORIENTATION.euler", angle)
             .or_else("another key says it")
             .says("Angles [x, y, z] about the fixed axes, first about x, then y, then z: roll, pitch and yaw."),

@@ -149,6 +149,8 @@ TEST(Figures, WrongKeysAreErrors) {
                  {"bodies[0].orientation lacks one of the keys quaternion, axis, euler, random"});
     expect_error(lattice("shape: brick, orientation: {axis: [0, 0, 1], euler: [0, 0, 1]}"),
                  {"'axis' and 'euler' of bodies[0].orientation exclude each other; keep one"});
+    expect_error(lattice("shape: brick, orientation: {axis: [0, 0, 1]}"),
+                 {"bodies[0].orientation.axis: needs an `angle`"});
     expect_error(lattice("shape: brick, orientation: {euler: [0, 0, 1], angle: 3}"),
                  {"bodies[0].orientation.angle: is the angle about an `axis`, which is not given"});
     expect_error(lattice("shape: brick, orientation: {quaternion: [1, 0, 0]}"),
