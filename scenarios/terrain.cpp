@@ -81,7 +81,8 @@ void crop(const io::Node& node, const Context& context, HeightGrid& grid) {
         if (x.count < grid.columns || y.count < grid.rows) grid = part_of(grid, x, y);
         return;
     }
-    context.error(node.has("crop") ? node.at("crop") : node.at("stride"),
+    const char* const cause = node.has("crop") ? "crop" : node.has("stride") ? "stride" : "path";
+    context.error(node.at(cause),
                   fmt::format("{} x {} nodes are left; two along each axis are needed. The nodes of the file are {} x "
                               "{}, from [{:.9g}, {:.9g}] to [{:.9g}, {:.9g}]",
                               x.count, y.count, grid.columns, grid.rows, grid.x, grid.y, grid.last_x(), grid.last_y()));
@@ -124,7 +125,7 @@ void read_grid(const io::Node& node, const Context& context, const std::string& 
 void read_mesh(const io::Node& node, const Context& context, const std::string& path, std::string bytes,
                TerrainFile& file) {
     for (const char* key : {"cell", "crop", "stride", "fill_nodata"}) {
-        if (node.has(key) && node.at(key).given) {
+        if (node.has(key)) {
             context.error(node.at(key), "is for grids of heights (.asc, .asc.gz); the path names a mesh");
         }
     }

@@ -129,7 +129,7 @@ std::vector<Row> walls() {
             .says("Grids: only nodes within [x0, y0, x1, y1], in the coordinates of the file, before `scale` and "
                   "`cell`."),
         integer("walls[terrain].stride")
-            .standardly("1")
+            .or_else("1")
             .in(between(1, 1e6))
             .says("Grids: only every so many-th node along x and y is used, from the lower left on. Memory and detail "
                   "go down with its square; a node takes about 0.5 kB on each rank."),

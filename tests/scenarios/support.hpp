@@ -24,15 +24,37 @@ struct Result {
     std::string errors, warnings;
 };
 
+// Of two builds: the same bodies and shapes, to the bit.
+inline void expect_same_bodies(const State& a, const State& b) {
+    EXPECT_EQ(a.bodies.id, b.bodies.id);
+    EXPECT_EQ(a.bodies.radius, b.bodies.radius);
+    EXPECT_EQ(a.bodies.mass, b.bodies.mass);
+    EXPECT_EQ(a.bodies.position, b.bodies.position);
+    EXPECT_EQ(a.bodies.shape, b.bodies.shape);
+    ASSERT_EQ(a.bodies.orientation.size(), b.bodies.orientation.size());
+    for (std::size_t i = 0; i < a.bodies.orientation.size(); ++i)
+        EXPECT_EQ(a.bodies.orientation[i].coeffs(), b.bodies.orientation[i].coeffs());
+    ASSERT_EQ(a.shapes.size(), b.shapes.size());
+    for (std::size_t i = 0; i < a.shapes.size(); ++i) EXPECT_EQ(a.shapes[i].vertex, b.shapes[i].vertex);
+}
+
 // Reads and builds; `folder` is where files of bodies are looked for.
 inline Result build_text(const std::string& text, const std::string& folder = ".") {
     io::Diagnostics diagnostics;
-    const io::ReadResult read =
-        io::read_scenario_text(text, (std::filesystem::path(folder) / "test.yaml").string(), {}, diagnostics);
+    const std::string name = (std::filesystem::path(folder) / "test.yaml").string();
+    const io::ReadResult read = io::read_scenario_text(text, name, {}, diagnostics);
     Result result;
     if (!diagnostics.has_errors()) result.built = scenarios::build(read.root, folder, diagnostics);
     result.errors = diagnostics.report();
     result.warnings = diagnostics.warnings();
+    if (result.errors.empty()) {  // what the other ranks build
+        io::Diagnostics others;
+        const io::ReadResult resolved = io::read_scenario_text(read.resolved, name, {}, others);
+        EXPECT_EQ(others.report(), "");
+        if (!others.has_errors())
+            expect_same_bodies(result.built.state, scenarios::build(resolved.root, folder, others).state);
+        EXPECT_EQ(others.report(), "");
+    }
     return result;
 }
 
