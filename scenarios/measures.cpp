@@ -74,4 +74,17 @@ void build_measures(const io::Node& scenario, const Context& context, Scene& sce
     for (const io::Node& node : list) scene.measures.push_back(build_measure(node, walls, context, scene));
 }
 
+void check_measures_of_polyhedra(const io::Node& scenario, const Context& context) {
+    for (const io::Node& node : items_of(scenario, "measures")) {
+        const std::string& kind = node.text("measure");
+        if ((kind != "packing_fraction" && kind != "profile") || !node.has("region")) continue;
+        const io::Node& shape = node.at("region").at("shape");
+        const bool profile_by_centres = kind == "profile" && shape.text() == "sphere";
+        if (shape.text() == "box" || shape.text() == "half_space" || profile_by_centres) continue;
+        context.error(shape, fmt::format("the volume of polyhedra is measured in regions with flat sides, not in a {}: "
+                                         "use a box",
+                                         shape.text()));
+    }
+}
+
 }  // namespace scree::scenarios

@@ -4,6 +4,7 @@
 
 #include "core/parallel/body_sums.hpp"
 #include "solvers/measure_kinds.hpp"
+#include "solvers/measure_polyhedra.hpp"
 
 namespace scree::solvers::detail {
 
@@ -33,13 +34,21 @@ Columns extent_columns() {
 void sample_extent(const Sampled& s, Pool& pool) {
     const Bodies& bodies = s.state.bodies;
     double lowest = kForever, highest = -kForever;
-    add_over_bodies(bodies, std::span<ExactSum, 2>(pool.sums(2)), [&](std::size_t i) {
-        if (bodies.is_ghost(i) || !in_region(s.measure, bodies.position[i])) return std::array{0.0, 0.0};
-        const double along = bodies.position[i].dot(s.measure.axis);
-        lowest = std::min(lowest, along - bodies.radius[i]);
-        highest = std::max(highest, along + bodies.radius[i]);
-        return std::array{bodies.mass[i], bodies.mass[i] * along};
-    });
+    const auto sample = [&](const auto& reach_from) {
+        add_over_bodies(bodies, std::span<ExactSum, 2>(pool.sums(2)), [&](std::size_t i) {
+            if (bodies.is_ghost(i) || !in_region(s.measure, bodies.position[i])) return std::array{0.0, 0.0};
+            const double along = bodies.position[i].dot(s.measure.axis);
+            const Reach reach = reach_from(i, along);
+            lowest = std::min(lowest, reach.low);
+            highest = std::max(highest, reach.high);
+            return std::array{bodies.mass[i], bodies.mass[i] * along};
+        });
+    };
+    if (bodies.has_shapes()) {
+        sample([&](std::size_t i, double) { return reach_of(s.state, i, s.measure.axis); });
+    } else {
+        sample([&](std::size_t i, double along) { return Reach{along - bodies.radius[i], along + bodies.radius[i]}; });
+    }
     const std::span<double> most = pool.most(2);
     most[0] = -lowest;
     most[1] = highest;

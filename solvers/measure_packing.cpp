@@ -1,5 +1,5 @@
-// Packing fraction of a region, and profiles along an axis. Spheres count with the part of them that lies in the region
-// or in the bin (measure_overlap.hpp); where spheres overlap each other, both count.
+// Packing fraction of a region, and profiles along an axis. Bodies count with the part of them that lies in the region
+// or in the bin (measure_overlap.hpp, measure_polyhedra.hpp); where they overlap each other, both count.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,14 +7,10 @@
 #include <optional>
 
 #include "solvers/measure_kinds.hpp"
-#include "solvers/measure_overlap.hpp"
+#include "solvers/measure_polyhedra.hpp"
 
 namespace scree::solvers::detail {
 namespace {
-
-double sphere_volume(double radius) {
-    return Bodies::sphere_mass(radius, 1.0);
-}
 
 std::size_t bins_of(const Measure& m) {
     return static_cast<std::size_t>(m.bins);
@@ -70,8 +66,8 @@ double region_volume(const Region& region) {
 }  // namespace
 
 Columns packing_columns() {
-    return {{"value", "1", "Volume of the spheres inside the region over the volume of the region", 1},
-            {"solid_volume", "m3", "Volume of the spheres inside the region", 1}};
+    return {{"value", "1", "Volume of the bodies inside the region over the volume of the region", 1},
+            {"solid_volume", "m3", "Volume of the bodies inside the region", 1}};
 }
 
 void sample_packing(const Sampled& s, Pool& pool) {
@@ -83,7 +79,7 @@ void sample_packing(const Sampled& s, Pool& pool) {
         const Vec3& x = bodies.position[i];
         const double r = bodies.radius[i];
         if (((x - box.upper).array() >= r).any() || ((box.lower - x).array() >= r).any()) continue;
-        solid.add(overlap_volume(*s.measure.region, x, r));
+        solid.add(part_in(*s.measure.region, s.state, i));
     }
 }
 
@@ -98,9 +94,9 @@ Columns profile_columns(const Measure& m, const Scene& scene) {
                     m.to_coordinate + origin, m.axis.x(), m.axis.y(), m.axis.z());
     Columns columns;
     if (bin_region(m, 0)) {
-        columns.push_back({"packing_fraction", "1", "Share of the bin's volume that spheres fill" + where, m.bins});
+        columns.push_back({"packing_fraction", "1", "Share of the bin's volume that bodies fill" + where, m.bins});
     } else {
-        columns.push_back({"volume_per_length", "m2", "Volume of spheres in the bin over its width" + where, m.bins});
+        columns.push_back({"volume_per_length", "m2", "Volume of bodies in the bin over its width" + where, m.bins});
     }
     for (const char* axis : {"x", "y", "z"}) {
         columns.push_back({fmt::format("velocity_{}", axis), "m/s",
@@ -109,7 +105,7 @@ Columns profile_columns(const Measure& m, const Scene& scene) {
     return columns;
 }
 
-// Numbers, each one a bin: volume of spheres, mass, momentum x, y, z.
+// Numbers, each one a bin: volume of bodies, mass, momentum x, y, z.
 void sample_profile(const Sampled& s, Pool& pool) {
     const Measure& m = s.measure;
     const Bodies& bodies = s.state.bodies;
@@ -127,9 +123,9 @@ void sample_profile(const Sampled& s, Pool& pool) {
         const std::size_t last = high >= m.bins ? n - 1 : static_cast<std::size_t>(high);
         for (std::size_t bin = low <= 0.0 ? 0 : static_cast<std::size_t>(low); bin <= last; ++bin) {
             const double part = region[bin]
-                                    ? overlap_volume(*region[bin], bodies.position[i], radius)
-                                    : slab_volume(radius, bin_start(m, bin) - along, bin_start(m, bin + 1) - along);
-            const double mass = bodies.mass[i] * part / sphere_volume(radius);
+                                    ? part_in(*region[bin], s.state, i)
+                                    : part_between(s.state, i, m.axis, bin_start(m, bin), bin_start(m, bin + 1));
+            const double mass = bodies.mass[i] * part / volume_of(s.state, i);
             sums[bin].add(part);
             sums[n + bin].add(mass);
             for (std::size_t k = 0; k < 3; ++k)

@@ -159,6 +159,21 @@ TEST(Figures, WrongKeysAreErrors) {
                  {"bodies[0].orientation.quaternion: is no unit quaternion [w, x, y, z]: its length is 1.41421"});
 }
 
+TEST(Figures, PolyhedraAreMeasuredInFlatRegions) {
+    const auto measured = [](const std::string& measure) {
+        return lattice("shape: brick") + "measures:\n  - {name: m, " + measure + "}\n";
+    };
+    const std::string tube = "region: {shape: cylinder, base: [0, 0, 0], radius: 1, length: 1}",
+                      box = "region: {shape: box, lower: [0, 0, 0], upper: [1, 1, 1]}";
+    build_good(measured("measure: packing_fraction, " + box));
+    build_good(measured("measure: mass_in, " + tube));
+    expect_error(measured("measure: packing_fraction, " + tube),
+                 {"measures[0].region.shape: the volume of polyhedra is measured in regions with flat sides, not in a "
+                  "cylinder: use a box"});
+    expect_error(measured("measure: profile, lower: 0, upper: 1, bins: 3, " + tube), {"not in a cylinder: use a box"});
+    build_good(measured("measure: profile, lower: 0, upper: 1, bins: 3, " + box));
+}
+
 std::string from_file(const std::string& more) {
     return kHead + kShapes + "  - {generator: file, material: glass, path: bodies.txt, " + more + "}\n";
 }
