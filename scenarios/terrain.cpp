@@ -181,6 +181,41 @@ TerrainFile read_terrain(const io::Node& node, const Context& context, const Com
     return file;
 }
 
+// Even-odd rule.
+bool holds(const std::vector<Vec3>& polygon, const Vec3& x) {
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Vec3 &a = polygon[i], &b = polygon[j];
+        if ((a.y() > x.y()) == (b.y() > x.y())) continue;
+        inside ^= x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    }
+    return inside;
+}
+
+void add_zone(const io::Node& node, const Context& context, MaterialIndex wall, Terrain& terrain) {
+    const MaterialIndex material = context.material(node.at("material"));
+    std::vector<Vec3> polygon;
+    for (const io::Node& row : node.at("polygon").items())
+        polygon.emplace_back(row.at(0).number() - context.origin.x(), row.at(1).number() - context.origin.y(), 0.0);
+    if (polygon.size() < 3) return context.error(node.at("polygon"), "a polygon has three corners or more");
+    if (terrain.material.empty()) terrain.material.assign(terrain.mesh.triangle.size(), wall);
+    bool any = false;
+    for (std::uint32_t t = 0; t < terrain.ground; ++t) {
+        const TriangleCorners& c = terrain.mesh.triangle[t].corner;
+        const Vec3 middle = (terrain.mesh.vertex[c[0]] + terrain.mesh.vertex[c[1]] + terrain.mesh.vertex[c[2]]) / 3.0;
+        if (!holds(polygon, middle)) continue;
+        terrain.material[t] = material;
+        any = true;
+    }
+    if (!any) context.warning(node.at("polygon"), "no triangle of the terrain lies in this zone");
+}
+
+WallShape finished(const io::Node& node, const Context& context, Terrain terrain) {
+    const MaterialIndex wall = context.material(node.at("material"));
+    for (const io::Node& zone : items_of(node, "zones")) add_zone(zone, context, wall, terrain);
+    return TerrainWall{std::make_shared<const Terrain>(std::move(terrain))};
+}
+
 }  // namespace
 
 std::vector<TerrainFile> read_terrains(const io::Node& scenario, const Context& context, const Communicator& ranks) {
@@ -202,11 +237,10 @@ WallShape build_terrain(const io::Node& node, TerrainFile file, const Context& c
         if (file.grid) {
             file.grid->x += shift.x(), file.grid->y += shift.y();
             for (double& z : file.grid->height) z += shift.z();
-            return TerrainWall{std::make_shared<const Terrain>(make_terrain(std::move(*file.grid), border))};
+            return finished(node, context, make_terrain(std::move(*file.grid), border));
         }
         for (Vec3& x : file.vertex) x += shift;
-        return TerrainWall{
-            std::make_shared<const Terrain>(make_terrain(std::move(file.vertex), std::move(file.triangle), border))};
+        return finished(node, context, make_terrain(std::move(file.vertex), std::move(file.triangle), border));
     } catch (const ScenarioError& error) {
         context.error(node.at("path"), fmt::format("'{}' is no terrain: {}", node.text("path"), error.what()));
         return nowhere;

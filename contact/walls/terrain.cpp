@@ -142,6 +142,19 @@ void terrain_contacts(const TerrainWall& wall, const Probe& probe, WallContacts&
               [](const WallContact& a, const WallContact& b) { return a.feature < b.feature; });
 }
 
+std::optional<std::uint32_t> terrain_triangle(const Terrain& terrain, std::uint32_t feature) {
+    const std::uint32_t index = feature & ~kBeyond;
+    switch (static_cast<Region>(feature >> 30U)) {
+        case Region::face:
+            return index;
+        case Region::edge:
+            return terrain.mesh.edge[index].owner();
+        case Region::vertex:
+            return terrain.mesh.owner[index];
+    }
+    return std::nullopt;
+}
+
 // A centre on the other side of the surface, or beyond the border, is farther away than what lies between.
 bool near_terrain(const TerrainWall& wall, const Probe& probe) {
     const Terrain& terrain = *wall.terrain;

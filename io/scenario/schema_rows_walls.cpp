@@ -136,6 +136,14 @@ std::vector<Row> walls() {
         number("walls[terrain].fill_nodata", length)
             .or_else("nodes without data are holes")
             .says("Grids: height of nodes without data, in the file's units. Holes are treated as the border is."),
+        list("walls[terrain].zones")
+            .says("Parts of the surface with another material, each within a polygon seen from above. Later ones lie "
+                  "over earlier ones; a triangle belongs to the zone that its middle lies in."),
+        text("walls[terrain].zones[].material").required().naming("materials").says("The material of this part."),
+        table("walls[terrain].zones[].polygon", {{"x", length, {}}, {"y", length, {}}})
+            .required()
+            .says("Its corners in order, in the coordinates of the scenario: three or more; the last is joined to the "
+                  "first."),
 
         section("walls[].motion")
             .or_else("the wall is fixed")
