@@ -91,10 +91,6 @@ void read_grid(const io::Node& node, const Context& context, const std::string& 
                TerrainFile& file) {
     if (io::is_gzip(bytes)) bytes = io::gunzip(bytes, path);
     HeightGrid grid = io::parse_esri_grid(bytes, path);
-    if (node.has("fill_nodata")) {
-        for (double& z : grid.height)
-            if (std::isnan(z)) z = node.number("fill_nodata");
-    }
     const std::size_t before = context.errors();
     const double x = grid.x, y = grid.y, dx = grid.dx, dy = grid.dy;
     crop(node, context, grid);
@@ -108,8 +104,9 @@ void read_grid(const io::Node& node, const Context& context, const std::string& 
         grid.x *= scale, grid.y *= scale, grid.dx *= scale, grid.dy *= scale;
     }
     double low = std::numeric_limits<double>::infinity(), high = -low;
+    const double hole = number_or(node, "fill_nodata", std::nan(""));
     for (double& z : grid.height) {
-        z *= scale;
+        z = std::isnan(z) ? hole : z * scale;
         if (!std::isnan(z)) low = std::min(low, z), high = std::max(high, z);
     }
     if (!(low <= high)) {

@@ -135,7 +135,7 @@ std::vector<Row> walls() {
                   "go down with its square; a node takes about 0.5 kB on each rank."),
         number("walls[terrain].fill_nodata", length)
             .or_else("nodes without data are holes")
-            .says("Grids: height of nodes without data, in the file's units. Holes are treated as the border is."),
+            .says("Grids: height of nodes without data, before `offset`. Holes are treated as the border is."),
         list("walls[terrain].zones")
             .says("Parts of the surface with another material, each within a polygon seen from above. Later ones lie "
                   "over earlier ones; a triangle belongs to the zone that its middle lies in."),
