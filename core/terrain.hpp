@@ -56,7 +56,8 @@ struct Terrain {
     // The triangle of a height field above or below a place.
     std::optional<std::uint32_t> column(double x, double y) const;
     // x lies in the solid ground of a height field: nothing may be there, however deep.
-    bool under(const Vec3& x) const;
+    bool under(const Vec3& x) const { return grid && x.z() < upper.z() && under(x, column(x.x(), x.y())); }
+    bool under(const Vec3& x, std::optional<std::uint32_t> column) const;  // of which this is the column
     // x lies beyond the border of a closed height field: nothing may be there either.
     bool outside(const Vec3& x) const;
     MaterialIndex material_of(std::uint32_t triangle, MaterialIndex wall) const {
