@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/ids.hpp"
@@ -47,6 +48,7 @@ struct Terrain {
     double bottom = 0.0, top = 0.0;       // [m] where the sides end
     std::optional<HeightGrid> grid;       // what the surface was made of, if it is a height field
     std::vector<MaterialIndex> material;  // of each triangle; empty: that of the wall
+    std::string checksum;                 // of the file that it was read from
 
     // visit(triangle) for each that may touch the box, in increasing order, each once.
     template <class Visit>

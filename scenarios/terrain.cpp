@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/atomic_file.hpp"
+#include "io/checksum.hpp"
 #include "io/terrain/esri_grid.hpp"
 #include "io/terrain/gzip.hpp"
 #include "scenarios/shapes/mesh_formats.hpp"
@@ -164,6 +165,15 @@ TerrainFile read_terrain(const io::Node& node, const Context& context, const Com
     }
     try {
         std::string bytes = shared_bytes(path, ranks);
+        io::Checksum sum;
+        sum.add(bytes.data(), bytes.size());
+        file.checksum = fmt::format("sum-{:016x}", sum.value());
+        if (node.has("checksum") && node.text("checksum") != file.checksum) {
+            context.error(node.at("checksum"), fmt::format("'{}' is not the file that is meant: its checksum is {}, {} "
+                                                           "is expected",
+                                                           path, file.checksum, node.text("checksum")));
+            return {};
+        }
         if (is_grid)
             read_grid(node, context, path, std::move(bytes), file);
         else
@@ -207,7 +217,8 @@ void add_zone(const io::Node& node, const Context& context, MaterialIndex wall, 
     if (!any) context.warning(node.at("polygon"), "no triangle of the terrain lies in this zone");
 }
 
-WallShape finished(const io::Node& node, const Context& context, Terrain terrain) {
+WallShape finished(const io::Node& node, const Context& context, const std::string& checksum, Terrain terrain) {
+    terrain.checksum = checksum;
     const MaterialIndex wall = context.material(node.at("material"));
     for (const io::Node& zone : items_of(node, "zones")) add_zone(zone, context, wall, terrain);
     return TerrainWall{std::make_shared<const Terrain>(std::move(terrain))};
@@ -234,10 +245,11 @@ WallShape build_terrain(const io::Node& node, TerrainFile file, const Context& c
         if (file.grid) {
             file.grid->x += shift.x(), file.grid->y += shift.y();
             for (double& z : file.grid->height) z += shift.z();
-            return finished(node, context, make_terrain(std::move(*file.grid), border));
+            return finished(node, context, file.checksum, make_terrain(std::move(*file.grid), border));
         }
         for (Vec3& x : file.vertex) x += shift;
-        return finished(node, context, make_terrain(std::move(file.vertex), std::move(file.triangle), border));
+        return finished(node, context, file.checksum,
+                        make_terrain(std::move(file.vertex), std::move(file.triangle), border));
     } catch (const ScenarioError& error) {
         context.error(node.at("path"), fmt::format("'{}' is no terrain: {}", node.text("path"), error.what()));
         return nowhere;

@@ -136,6 +136,11 @@ std::vector<Row> walls() {
         number("walls[terrain].fill_nodata", length)
             .or_else("nodes without data are holes")
             .says("Grids: height of nodes without data, before `offset`. Holes are treated as the border is."),
+        text("walls[terrain].checksum")
+            .or_else("any file is taken")
+            .says(
+                "Checksum of the file's bytes: another file is refused. A run writes it into its resolved scenario, so "
+                "that it goes on with the terrain that it began with."),
         list("walls[terrain].zones")
             .says("Parts of the surface with another material, each within a polygon seen from above. Later ones lie "
                   "over earlier ones; a triangle belongs to the zone that its middle lies in."),

@@ -194,6 +194,7 @@ TEST(TerrainScenario, WrongOnesAreRefused) {
     files.refused("stride: 0", {"walls[0].stride"});
     files.refused("scale: 0", {"walls[0].scale"});
     files.refused("", {"walls[0].path: "}, ".");
+    files.refused("checksum: abc", {"walls[0].checksum: '", "g.asc' is not the file that is meant", "abc is expected"});
     // the rest of the scenario is looked at too
     expect_error(
         kHead + wall("", "none.asc") +
