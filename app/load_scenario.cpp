@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/error_agreement.hpp"
+#include "core/terrain.hpp"
 #include "io/scenario/diagnostics.hpp"
 #include "io/scenario/scenario_reader.hpp"
 #include "scenarios/build.hpp"
@@ -63,6 +64,38 @@ void set_origin(LoadedScenario& scenario, const Vec3& origin) {
     node.value = origin;
     node.path = "origin";
     scenario.resolved = io::resolved_text(scenario.root);
+}
+
+// checksum_of(i) of wall i; empty: unknown.
+template <class ChecksumOf>
+void set_absent_checksums(LoadedScenario& scenario, ChecksumOf checksum_of) {
+    if (!scenario.root.has("walls")) return;
+    auto& walls = std::get<io::Node::List>(std::get<io::Node::Map>(scenario.root.value).at("walls").value);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (walls[i].text("shape") != "terrain" || walls[i].has("checksum")) continue;
+        const std::string checksum = checksum_of(i);
+        if (checksum.empty()) continue;
+        io::Node& node = std::get<io::Node::Map>(walls[i].value)["checksum"];
+        node.value = checksum;
+        node.path = walls[i].path + ".checksum";
+        node.mark = walls[i].at("path").mark;
+    }
+    scenario.resolved = io::resolved_text(scenario.root);
+}
+
+void set_checksums(LoadedScenario& scenario, const Scene& scene) {
+    set_absent_checksums(scenario, [&](std::size_t i) {
+        const auto* wall = std::get_if<TerrainWall>(&scene.walls[i].shape);
+        return wall == nullptr ? std::string() : wall->terrain->checksum;
+    });
+}
+
+void set_checksums(LoadedScenario& scenario, const io::Node& earlier) {
+    if (!earlier.has("walls")) return;
+    const io::Node::List& walls = earlier.at("walls").items();
+    set_absent_checksums(scenario, [&](std::size_t i) {
+        return i < walls.size() && walls[i].has("checksum") ? walls[i].text("checksum") : std::string();
+    });
 }
 
 Scene build_scene_only(const LoadedScenario& scenario) {

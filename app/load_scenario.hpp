@@ -40,6 +40,9 @@ struct BuiltScenario {
 BuiltScenario build_scenario(const LoadedScenario& scenario, const Communicator& ranks = Communicator::self());
 // Writes an origin that was chosen automatically into the scenario, so that a resumed run has the same one.
 void set_origin(LoadedScenario& scenario, const Vec3& origin);
+// The same for the checksums of terrain, from a scene or from the scenario that a run began with.
+void set_checksums(LoadedScenario& scenario, const Scene& scene);
+void set_checksums(LoadedScenario& scenario, const io::Node& earlier);
 // The scene alone, for a state that comes from a checkpoint. The scenario must have its origin.
 Scene build_scene_only(const LoadedScenario& scenario);
 

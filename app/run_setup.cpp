@@ -45,6 +45,7 @@ RunSetup set_up_new(const RunOptions& options, RunFolder& folder, const Communic
     at_root(ranks, [&] { folder.check_free(replace); });  // before the bodies are made, which can take long
     BuiltScenario built = build_scenario(scenario, ranks);
     set_origin(scenario, built.scene.origin);
+    set_checksums(scenario, built.scene);
     RunSetup setup{std::move(built.scene), std::move(built.state), {}, false, {}};
     setup.state.followed = solvers::choose_followed(setup.scene.trajectories, setup.state.bodies, ranks);
     setup.provenance = provenance_of(options, scenario, setup.scene, ranks);
@@ -67,6 +68,7 @@ LoadedScenario scenario_to_go_on_with(const RunOptions& options, const io::Found
         now.folder = folder_of(now.name);  // terrain is read from where it was
     }
     if (!now.root.has("origin")) set_origin(now, earlier.root.vector("origin"));
+    set_checksums(now, earlier.root);
     std::vector<std::string> refused;
     for (const std::string& key : differing_keys(earlier.root, now.root)) {
         if (!may_change_on_resume(key)) refused.push_back(key);

@@ -124,7 +124,8 @@ void CandidateList::place_walls(const Scene& scene, double time, double present_
     frame_.resize(scene.walls.size());
     for (std::size_t w = 0; w < frame_.size(); ++w) {
         const Wall& wall = scene.walls[w];
-        frame_[w] = {wall.present(present_at), wall.motion.moves(), pose_at(wall.motion, time), bounds(wall.shape)};
+        frame_[w] = {wall.present(present_at), wall.motion.moves(), pose_at(wall.motion, time), bounds(wall.shape),
+                     has_zones(wall.shape)};
     }
 }
 

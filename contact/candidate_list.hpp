@@ -24,6 +24,7 @@ struct WallFrame {
     bool present, moves;
     WallPose pose;
     WallBounds bounds;
+    bool zones;  // of other materials than the wall's
 };
 
 class CandidateList {

@@ -64,7 +64,7 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
         for (const std::uint32_t w : candidates.walls(i)) {
             if (!frame[w].present) continue;
             const Wall& wall = scene.walls[w];
-            const PairLaw& law = scene.pairs(bodies.material[i], wall.material);
+            const PairLaw& law_of_wall = scene.pairs(bodies.material[i], wall.material);
             const double margin = 0.5 * h * v.norm() * std::max(1.0, scene.solver.look_ahead) + h * step.resting_speed +
                                   kTouch * radius + (frame[w].moves ? radius : 0.0);
             WallContacts found;
@@ -78,6 +78,8 @@ void find_contacts(const Scene& scene, const State& state, const StepTimes& time
                 const double approach = relative.dot(normal);
                 const double free_approach = approach + h * gravity.dot(normal);
                 const double reach = look * relative.norm() + h * step.resting_speed;
+                const PairLaw& law =
+                    frame[w].zones ? scene.pairs(bodies.material[i], material_at(wall, c.feature)) : law_of_wall;
                 double bias = 0.0;
                 if (!impact_law({c.gap, approach, free_approach, law.restitution, kTouch * radius, reach}, step, bias))
                     continue;

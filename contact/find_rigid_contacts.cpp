@@ -4,9 +4,16 @@
 
 #include "contact/contact_home.hpp"
 #include "contact/laws/impact.hpp"
+#include "core/terrain.hpp"
 
 namespace scree::contact {
 namespace {
+
+// Of a wall with zones.
+MaterialIndex material_of(const Wall& wall, const WallPoint& point, bool sphere) {
+    if (sphere) return material_at(wall, point.feature);
+    return std::get<TerrainWall>(wall.shape).terrain->material_of(point.part, wall.material);
+}
 
 // One walk over the candidates of a step.
 struct Walk {
@@ -72,12 +79,14 @@ void Walk::walls_of(std::uint32_t i, const CandidateList& candidates, NarrowPhas
         const WallFrame& frame = candidates.wall_frames()[w];
         if (!frame.present) continue;
         const Wall& wall = scene.walls[w];
-        const PairLaw& law = scene.pairs(bodies.material[i], wall.material);
+        const PairLaw& law_of_wall = scene.pairs(bodies.material[i], wall.material);
         const double most = margin(speed(i, Vec3::Zero()), touch) + (frame.moves ? radius : 0.0);
         for (const WallPoint& p : narrow.wall(wall.shape, frame, i, most)) {
             Vec3 u = velocity_at(i, p.point);
             if (frame.moves) u -= mean_velocity(wall.motion, p.point, times.begin, times.step);
             const double approach = u.dot(p.normal), reach = look * u.norm() + times.step * step.resting_speed;
+            const PairLaw& law =
+                frame.zones ? scene.pairs(bodies.material[i], material_of(wall, p, bodies.is_sphere(i))) : law_of_wall;
             double bias = 0.0;
             if (!impact_law({p.gap, approach, approach + fall.dot(p.normal), law.restitution, touch, reach}, step,
                             bias))

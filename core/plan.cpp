@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/terrain.hpp"
+
 namespace scree {
 namespace {
 
@@ -23,7 +25,11 @@ std::vector<Meeting> meetings(const Scene& scene, const Bodies& bodies, const Co
     ranks.sum(count);
     for (const Inlet& inlet : scene.inlets) count[raw(inlet.material)] += 2;
     std::vector<bool> wall(n, false);
-    for (const Wall& w : scene.walls) wall[raw(w.material)] = true;
+    for (const Wall& w : scene.walls) {
+        wall[raw(w.material)] = true;
+        if (const auto* zoned = std::get_if<TerrainWall>(&w.shape))
+            for (const MaterialIndex m : zoned->terrain->material) wall[raw(m)] = true;
+    }
 
     std::vector<Meeting> found;
     for (std::size_t i = 0; i < n; ++i) {

@@ -117,16 +117,14 @@ std::optional<std::uint32_t> Terrain::column(double x, double y) const {
     const std::size_t cell = std::size_t{j} * c.nx + i;
     const std::uint32_t first = c.begin[cell], count = c.begin[cell + 1] - first;
     if (count == 0) return std::nullopt;
-    if (count == 2) return inside(mesh, first, x, y) >= inside(mesh, first + 1, x, y) ? first : first + 1;
+    if (count == 2) return inside(mesh, first, x, y) >= 0.0 ? first : first + 1;
     // a cell with a hole: on its border is inside
     if (inside(mesh, first, x, y) < -kRoundOff * c.dx * c.dy) return std::nullopt;
     return first;
 }
 
-bool Terrain::under(const Vec3& x) const {
-    if (!grid || x.z() >= upper.z() || (border == TerrainBorder::open && x.z() <= bottom)) return false;
-    const auto t = column(x.x(), x.y());
-    if (!t) return false;
+bool Terrain::under(const Vec3& x, std::optional<std::uint32_t> t) const {
+    if (!t || (border == TerrainBorder::open && x.z() <= bottom)) return false;
     return mesh.triangle[*t].normal.dot(x - mesh.vertex[mesh.triangle[*t].corner[0]]) < 0.0;
 }
 

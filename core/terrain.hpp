@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/ids.hpp"
@@ -47,6 +48,7 @@ struct Terrain {
     double bottom = 0.0, top = 0.0;       // [m] where the sides end
     std::optional<HeightGrid> grid;       // what the surface was made of, if it is a height field
     std::vector<MaterialIndex> material;  // of each triangle; empty: that of the wall
+    std::string checksum;                 // of the file that it was read from
 
     // visit(triangle) for each that may touch the box, in increasing order, each once.
     template <class Visit>
@@ -56,7 +58,8 @@ struct Terrain {
     // The triangle of a height field above or below a place.
     std::optional<std::uint32_t> column(double x, double y) const;
     // x lies in the solid ground of a height field: nothing may be there, however deep.
-    bool under(const Vec3& x) const;
+    bool under(const Vec3& x) const { return grid && x.z() < upper.z() && under(x, column(x.x(), x.y())); }
+    bool under(const Vec3& x, std::optional<std::uint32_t> column) const;  // of which this is the column
     // x lies beyond the border of a closed height field: nothing may be there either.
     bool outside(const Vec3& x) const;
     MaterialIndex material_of(std::uint32_t triangle, MaterialIndex wall) const {

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/atomic_file.hpp"
+#include "io/checksum.hpp"
 #include "io/terrain/esri_grid.hpp"
 #include "io/terrain/gzip.hpp"
 #include "scenarios/shapes/mesh_formats.hpp"
@@ -92,10 +93,6 @@ void read_grid(const io::Node& node, const Context& context, const std::string& 
                TerrainFile& file) {
     if (io::is_gzip(bytes)) bytes = io::gunzip(bytes, path);
     HeightGrid grid = io::parse_esri_grid(bytes, path);
-    if (node.has("fill_nodata")) {
-        for (double& z : grid.height)
-            if (std::isnan(z)) z = node.number("fill_nodata");
-    }
     const std::size_t before = context.errors();
     const double x = grid.x, y = grid.y, dx = grid.dx, dy = grid.dy;
     crop(node, context, grid);
@@ -109,8 +106,9 @@ void read_grid(const io::Node& node, const Context& context, const std::string& 
         grid.x *= scale, grid.y *= scale, grid.dx *= scale, grid.dy *= scale;
     }
     double low = std::numeric_limits<double>::infinity(), high = -low;
+    const double hole = number_or(node, "fill_nodata", std::nan(""));
     for (double& z : grid.height) {
-        z *= scale;
+        z = std::isnan(z) ? hole : z * scale;
         if (!std::isnan(z)) low = std::min(low, z), high = std::max(high, z);
     }
     if (!(low <= high)) {
@@ -168,6 +166,15 @@ TerrainFile read_terrain(const io::Node& node, const Context& context, const Com
     }
     try {
         std::string bytes = shared_bytes(path, ranks);
+        io::Checksum sum;
+        sum.add(bytes.data(), bytes.size());
+        file.checksum = fmt::format("sum-{:016x}", sum.value());
+        if (node.has("checksum") && node.text("checksum") != file.checksum) {
+            context.error(node.at("checksum"), fmt::format("'{}' is not the file that is meant: its checksum is {}, {} "
+                                                           "is expected",
+                                                           path, file.checksum, node.text("checksum")));
+            return {};
+        }
         if (is_grid)
             read_grid(node, context, path, std::move(bytes), file);
         else
@@ -180,6 +187,42 @@ TerrainFile read_terrain(const io::Node& node, const Context& context, const Com
         return {};
     }
     return file;
+}
+
+// Even-odd rule.
+bool holds(const std::vector<Vec3>& polygon, const Vec3& x) {
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Vec3 &a = polygon[i], &b = polygon[j];
+        if ((a.y() > x.y()) == (b.y() > x.y())) continue;
+        inside ^= x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    }
+    return inside;
+}
+
+void add_zone(const io::Node& node, const Context& context, MaterialIndex wall, Terrain& terrain) {
+    const MaterialIndex material = context.material(node.at("material"));
+    std::vector<Vec3> polygon;
+    for (const io::Node& row : node.at("polygon").items())
+        polygon.emplace_back(row.at(0).number() - context.origin.x(), row.at(1).number() - context.origin.y(), 0.0);
+    if (polygon.size() < 3) return context.error(node.at("polygon"), "a polygon has three corners or more");
+    if (terrain.material.empty()) terrain.material.assign(terrain.mesh.triangle.size(), wall);
+    bool any = false;
+    for (std::uint32_t t = 0; t < terrain.ground; ++t) {
+        const TriangleCorners& c = terrain.mesh.triangle[t].corner;
+        const Vec3 middle = (terrain.mesh.vertex[c[0]] + terrain.mesh.vertex[c[1]] + terrain.mesh.vertex[c[2]]) / 3.0;
+        if (!holds(polygon, middle)) continue;
+        terrain.material[t] = material;
+        any = true;
+    }
+    if (!any) context.warning(node.at("polygon"), "no triangle of the terrain lies in this zone");
+}
+
+WallShape finished(const io::Node& node, const Context& context, const std::string& checksum, Terrain terrain) {
+    terrain.checksum = checksum;
+    const MaterialIndex wall = context.material(node.at("material"));
+    for (const io::Node& zone : items_of(node, "zones")) add_zone(zone, context, wall, terrain);
+    return TerrainWall{std::make_shared<const Terrain>(std::move(terrain))};
 }
 
 }  // namespace
@@ -203,11 +246,11 @@ WallShape build_terrain(const io::Node& node, TerrainFile file, const Context& c
         if (file.grid) {
             file.grid->x += shift.x(), file.grid->y += shift.y();
             for (double& z : file.grid->height) z += shift.z();
-            return TerrainWall{std::make_shared<const Terrain>(make_terrain(std::move(*file.grid), border))};
+            return finished(node, context, file.checksum, make_terrain(std::move(*file.grid), border));
         }
         for (Vec3& x : file.vertex) x += shift;
-        return TerrainWall{
-            std::make_shared<const Terrain>(make_terrain(std::move(file.vertex), std::move(file.triangle), border))};
+        return finished(node, context, file.checksum,
+                        make_terrain(std::move(file.vertex), std::move(file.triangle), border));
     } catch (const ScenarioError& error) {
         context.error(node.at("path"), fmt::format("'{}' is no terrain: {}", node.text("path"), error.what()));
         return nowhere;

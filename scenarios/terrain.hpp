@@ -17,6 +17,7 @@ struct TerrainFile {
     std::optional<HeightGrid> grid;
     std::vector<Vec3> vertex;  // of a mesh
     std::vector<TriangleCorners> triangle;
+    std::string checksum;
     Vec3 offset = Vec3::Zero();                       // [m] added to all
     Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  // [m] bounds, offset and all
     bool empty() const { return !grid && triangle.empty(); }

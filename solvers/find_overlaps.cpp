@@ -41,7 +41,7 @@ class Touching {
     }
     template <class Add>
     void wall(const Wall& wall, std::uint32_t w, std::uint32_t i, const Add& add) {
-        const contact::WallFrame frame{true, wall.motion.moves(), pose_at(wall.motion, state_.time), {}};
+        const contact::WallFrame frame{true, wall.motion.moves(), pose_at(wall.motion, state_.time), {}, false};
         for (const contact::WallPoint& p : narrow_.wall(wall.shape, frame, i, 0.0))
             add(contact::Contact{ContactKey::wall(state_.bodies.id[i], WallIndex{w}, p.feature, p.part), i, w, p.normal,
                                  p.gap, 0.0, 0.0},

@@ -10,11 +10,16 @@ using Edge = TerrainMesh::Edge;
 
 // Where many regions meet, straight above a vertex, round-off must not leave a slit between them.
 constexpr double kRoundOff = 1e-14;
+constexpr double kSpare = 1e-9;
 
-// x lies on the triangle's side of the edge.
-bool over(const TerrainMesh& mesh, const Edge& edge, std::uint32_t triangle, const Vec3& x) {
+// How far x lies on the triangle's side of the edge [m], along its plane.
+double inward(const TerrainMesh& mesh, const Edge& edge, std::uint32_t triangle, const Vec3& x) {
     const Vec3& into = edge.left == triangle ? edge.into_left : edge.into_right;
-    return (x - mesh.vertex[edge.from]).dot(into) > 0.0;
+    return (x - mesh.vertex[edge.from]).dot(into);
+}
+
+bool over(const TerrainMesh& mesh, const Edge& edge, std::uint32_t triangle, const Vec3& x) {
+    return inward(mesh, edge, triangle, x) > 0.0;
 }
 
 // x lies beyond the end `v` of the edge to `w`.
@@ -72,8 +77,15 @@ std::optional<SphereTriangleGap> sphere_triangle(const Vec3& centre, double radi
     const double height = t.normal.dot(centre - mesh.vertex[t.corner[0]]);
     // where a ridge is sharp, what lies beyond it is behind one of its triangles
     if (height - radius > margin || height < -std::max(depth, radius + margin)) return std::nullopt;
+    // beside the triangle by more than this squared, none of its edges and vertices is near enough
+    const double beside = (1.0 + kSpare) * (radius + margin) * (radius + margin) - height * height;
     bool inside = true;
-    for (const std::uint32_t e : t.edge) inside = inside && over(mesh, mesh.edge[e], triangle, centre);
+    for (const std::uint32_t e : t.edge) {
+        const double in = inward(mesh, mesh.edge[e], triangle, centre);
+        if (in > 0.0) continue;
+        if (in * in > beside) return std::nullopt;
+        inside = false;
+    }
     if (inside && (height < -depth || (height < 0.0 && before_a_ridge(mesh, t, centre)))) return std::nullopt;
     if (inside) return SphereTriangleGap{height - radius, t.normal, Region::face, triangle};
     for (const std::uint32_t e : t.edge) {

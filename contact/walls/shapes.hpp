@@ -2,6 +2,8 @@
 // Private to this folder. Arguments as in wall_contact.hpp.
 #pragma once
 
+#include <optional>
+
 #include "contact/walls/axial_frame.hpp"
 #include "contact/walls/wall_contact.hpp"
 
@@ -22,6 +24,8 @@ void disc_contacts(const DiscWall& disc, const Probe& probe, WallContacts& out);
 void orifice_floor_contacts(const OrificeFloor& floor, const Probe& probe, WallContacts& out);
 void slot_floor_contacts(const SlotFloor& floor, const Probe& probe, WallContacts& out);
 void terrain_contacts(const TerrainWall& wall, const Probe& probe, WallContacts& out);
+// The triangle that speaks for a feature; none beyond a closed border.
+std::optional<std::uint32_t> terrain_triangle(const Terrain& terrain, std::uint32_t feature);
 // Whether a centre within probe.margin of this one may touch: never false where it does.
 bool near_terrain(const TerrainWall& wall, const Probe& probe);
 

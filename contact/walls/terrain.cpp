@@ -90,8 +90,7 @@ void push_out(const Terrain& terrain, const Place& place, const Probe& probe, Wa
     out.add(normal, -place.distance - probe.radius, feature_of(place.at.region, place.at.feature));
 }
 
-void push_up(const Terrain& terrain, const Probe& probe, WallContacts& out) {
-    const std::uint32_t above = *terrain.column(probe.centre.x(), probe.centre.y());
+void push_up(const Terrain& terrain, std::uint32_t above, const Probe& probe, WallContacts& out) {
     const TerrainMesh::Triangle& t = terrain.mesh.triangle[above];
     const double depth = -t.normal.dot(probe.centre - terrain.mesh.vertex[t.corner[0]]) / t.normal.z();
     const double searched = std::min(depth, kSearched * probe.radius) * (1.0 + kRoundOff);
@@ -129,10 +128,10 @@ bool far_above(const Terrain& terrain, const Probe& probe) {
 void terrain_contacts(const TerrainWall& wall, const Probe& probe, WallContacts& out) {
     const Terrain& terrain = *wall.terrain;
     if (far_above(terrain, probe)) return;
-    if (terrain.under(probe.centre)) return push_up(terrain, probe, out);
+    const auto column = terrain.column(probe.centre.x(), probe.centre.y());
+    if (terrain.under(probe.centre, column)) return push_up(terrain, *column, probe, out);
     if (terrain.outside(probe.centre)) return push_in(*terrain.grid, probe, out);
-    const bool solid = terrain.grid && terrain.column(probe.centre.x(), probe.centre.y());
-    if (!solid && behind(terrain, probe, out)) return;
+    if (!column && behind(terrain, probe, out)) return;
     const Vec3 around = reach(probe.radius + probe.margin);
     terrain.visit(probe.centre - around, probe.centre + around, [&](std::uint32_t t) {
         const auto found = sphere_triangle(probe.centre, probe.radius, terrain.mesh, t, 0.0, probe.margin);
@@ -140,6 +139,19 @@ void terrain_contacts(const TerrainWall& wall, const Probe& probe, WallContacts&
     });
     std::sort(out.item.begin(), out.item.begin() + out.count,
               [](const WallContact& a, const WallContact& b) { return a.feature < b.feature; });
+}
+
+std::optional<std::uint32_t> terrain_triangle(const Terrain& terrain, std::uint32_t feature) {
+    const std::uint32_t index = feature & ~kBeyond;
+    switch (static_cast<Region>(feature >> 30U)) {
+        case Region::face:
+            return index;
+        case Region::edge:
+            return terrain.mesh.edge[index].owner();
+        case Region::vertex:
+            return terrain.mesh.owner[index];
+    }
+    return std::nullopt;
 }
 
 // A centre on the other side of the surface, or beyond the border, is farther away than what lies between.

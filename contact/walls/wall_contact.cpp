@@ -96,6 +96,17 @@ bool may_touch(const WallShape& shape, const Vec3& centre, double radius, double
     return found.count > 0;
 }
 
+bool has_zones(const WallShape& shape) {
+    const auto* wall = std::get_if<TerrainWall>(&shape);
+    return wall != nullptr && !wall->terrain->material.empty();
+}
+
+MaterialIndex material_at(const Wall& wall, std::uint32_t feature) {
+    const Terrain& terrain = *std::get<TerrainWall>(wall.shape).terrain;
+    const auto triangle = detail::terrain_triangle(terrain, feature);
+    return triangle ? terrain.material_of(*triangle, wall.material) : wall.material;
+}
+
 bool is_thin(const WallShape& shape) {
     return std::visit(
         Overloaded{[](const PlaneWall&) { return false; }, [](const BoxWall& w) { return !keeps_everything(w); },

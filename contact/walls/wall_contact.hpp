@@ -44,6 +44,11 @@ void find_contacts(const WallShape& shape, const Vec3& centre, double radius, do
 // true where none does.
 bool may_touch(const WallShape& shape, const Vec3& centre, double radius, double reach);
 
+// Terrain may have zones of other materials than the wall's; no other wall has.
+bool has_zones(const WallShape& shape);
+// The material at a feature of a wall with zones; at ridges and summits that of the triangle that speaks for them.
+MaterialIndex material_at(const Wall& wall, std::uint32_t feature);
+
 // A body may pass through a thin wall (two-sided) or a solid when it moves more than its radius in a step; through a
 // one-sided wall it cannot.
 bool is_thin(const WallShape& shape);

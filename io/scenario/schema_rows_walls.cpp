@@ -135,7 +135,20 @@ std::vector<Row> walls() {
                   "go down with its square; a node takes about 0.5 kB on each rank."),
         number("walls[terrain].fill_nodata", length)
             .or_else("nodes without data are holes")
-            .says("Grids: height of nodes without data, in the file's units. Holes are treated as the border is."),
+            .says("Grids: height of nodes without data, before `offset`. Holes are treated as the border is."),
+        text("walls[terrain].checksum")
+            .or_else("any file is taken")
+            .says(
+                "Checksum of the file's bytes: another file is refused. A run writes it into its resolved scenario, so "
+                "that it goes on with the terrain that it began with."),
+        list("walls[terrain].zones")
+            .says("Parts of the surface with another material, each within a polygon seen from above. Later ones lie "
+                  "over earlier ones; a triangle belongs to the zone that its middle lies in."),
+        text("walls[terrain].zones[].material").required().naming("materials").says("The material of this part."),
+        table("walls[terrain].zones[].polygon", {{"x", length, {}}, {"y", length, {}}})
+            .required()
+            .says("Its corners in order, in the coordinates of the scenario: three or more; the last is joined to the "
+                  "first."),
 
         section("walls[].motion")
             .or_else("the wall is fixed")

@@ -198,8 +198,9 @@ std::string markdown_section(const SchemaNode& node, const std::string& path, co
         text += fmt::format("\n{}# `{}: {}`\n{}\n", level, node.variant_key, form->key, form->row->doc);
         text += markdown_table(form->keys);
         for (const SchemaNode* key : form->keys) {
-            if (has_own_keys(*key))
+            if (has_own_keys(*key)) {
                 text += markdown_section(*key, fmt::format("{}[{}].{}", path, form->key, key->key), level + "##");
+            }
         }
     }
     return text;

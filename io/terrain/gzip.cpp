@@ -11,7 +11,7 @@ namespace scree::io {
 namespace {
 
 constexpr int kGzip = 15 + 16;  // the widest window, with gzip's header
-constexpr std::size_t kPiece = std::size_t{1} << 22;
+constexpr std::size_t kPiece = std::size_t{1} << 18;
 constexpr std::size_t kMostInput = std::size_t{1} << 30;  // zlib counts in unsigned ints
 
 struct Stream : z_stream {

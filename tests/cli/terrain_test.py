@@ -67,9 +67,20 @@ class Terrain(CliTest):
     def test_goes_on_where_it_stopped(self):
         scene = self.scene("a")
         self.scree("run", scene, "--out", "whole", "-q", code=0)
+        for again in (["--set", "time.end=0.5"], [scene]):  # by the checkpoint alone, and with the scenario
+            self.scree("run", scene, "--out", "parts", "--set", "time.end=0.25", "--force", "-q", code=0)
+            self.scree("run", *again, "--resume", "--out", "parts", "-q", code=0)
+            self.assert_same_run("whole", "parts")
+
+    def test_goes_on_with_the_same_terrain_only(self):
+        scene = self.scene("a")
         self.scree("run", scene, "--out", "parts", "--set", "time.end=0.25", "-q", code=0)
-        self.scree("run", "--resume", "--out", "parts", "--set", "time.end=0.5", "-q", code=0)
-        self.assert_same_run("whole", "parts")
+        with open(self.path("a/data/hills.asc"), encoding="utf-8") as file:
+            text = file.read()
+        self.write("a/data/hills.asc", text.replace("0.30", "0.31", 1))
+        for arguments in ([], [scene]):
+            result = self.scree("run", *arguments, "--resume", "--out", "parts", "--set", "time.end=0.5", code=3)
+            self.assertRegex(result.err, r"hills\.asc' is not the file that is meant: its checksum is sum-[0-9a-f]{16}, sum-")
 
 
 if __name__ == "__main__":

@@ -121,6 +121,42 @@ TEST(EsriGrid, WrongFilesAreRefusedWithTheirLine) {
     for (const auto& [text, expected] : wrong) EXPECT_THAT(refusal(text), testing::HasSubstr(expected)) << text;
 }
 
+// Damaged in any way a file is read or refused; where it is read, there are as many heights as the header says.
+TEST(EsriGrid, DamagedFiles) {
+    std::string good = kHeader + std::string("NODATA_value -9999\n");
+    for (int k = 0; k < 6; ++k) good += std::to_string(k * 1.5) + (k % 3 == 2 ? "\n" : " ");
+    const std::string packed = gzip(good);
+    int read = 0, refused = 0;
+    for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+        Random random(52, seed, 0);
+        std::string bytes = seed % 4 == 0 ? packed : good;
+        const int changes = 1 + static_cast<int>(random.uniform(0, 3));
+        for (int c = 0; c < changes && !bytes.empty(); ++c) {
+            const auto at = static_cast<std::size_t>(random.uniform() * static_cast<double>(bytes.size()));
+            const double kind = random.uniform();
+            const std::string_view signs = "0123456789.-+eE \n\tncolsrowNaif,";
+            if (kind < 0.4)
+                bytes[at] = signs[static_cast<std::size_t>(random.uniform() * static_cast<double>(signs.size()))];
+            else if (kind < 0.6)
+                bytes.erase(at, 1 + static_cast<std::size_t>(random.uniform(0, 8)));
+            else if (kind < 0.8)
+                bytes.insert(at, bytes.substr(0, static_cast<std::size_t>(random.uniform(0, 20))));
+            else
+                bytes[at] = static_cast<char>(random.uniform(0, 256));
+        }
+        try {
+            const HeightGrid grid = parse(is_gzip(bytes) ? gunzip(bytes, "g") : bytes);
+            ASSERT_EQ(grid.height.size(), std::size_t{grid.columns} * grid.rows);
+            ASSERT_TRUE(grid.dx > 0.0 && grid.dy > 0.0 && std::isfinite(grid.x) && std::isfinite(grid.y));
+            ++read;
+        } catch (const IoError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(read, 500);
+    EXPECT_GT(refused, 5000);
+}
+
 bool same_bits(double a, double b) {
     return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
 }

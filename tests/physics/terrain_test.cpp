@@ -177,6 +177,31 @@ TEST(TerrainPhysics, BodiesFallOffTheOpenBorderAndThroughHoles) {
     EXPECT_NEAR(w.position(2).z(), 0.2, 1e-3);
 }
 
+// Friction acts in a zone only, over its faces, edges and nodes; the plan knows that it does.
+TEST(TerrainPhysics, ZonesHaveTheirOwnLaw) {
+    Terrain terrain = make_terrain(height_grid(
+                                       41, 21, 0.25, 0.25, [](double, double) { return 0.0; }, -2.0, -2.5),
+                                   TerrainBorder::open);
+    terrain.material.assign(terrain.mesh.triangle.size(), MaterialIndex{0});
+    for (std::uint32_t t = 0; t < terrain.ground; ++t)
+        if (terrain.mesh.vertex[terrain.mesh.triangle[t].corner[0]].x() >= 0.99) terrain.material[t] = MaterialIndex{1};
+    for (const double y : {0.0, 0.11}) {
+        World w(1e-3);
+        w.scene.materials.push_back({"rough", 2500.0});
+        w.scene.pairs = PairTable(2);
+        w.scene.pairs.set(MaterialIndex{0}, MaterialIndex{1}, {0.3, 0.0});
+        w.add({-1.0, y, 0.2}, 0.2, {3, 0, 0});
+        w.add_wall(TerrainWall{std::make_shared<const Terrain>(terrain)});
+        while (w.position().x() < 0.97) {
+            w.step();
+            ASSERT_NEAR(w.velocity().x(), 3.0, 1e-12);
+        }
+        EXPECT_TRUE(w.plan.friction);
+        w.run(1000);
+        EXPECT_NEAR(w.velocity().x(), 3.0 * 5.0 / 7.0, 1e-9);  // it has come to roll
+    }
+}
+
 // Fast spheres of 0.1 to 10 cells on noise, with substeps and without.
 struct Impacts {
     int deep = 0;          // after a step the centre was below the surface

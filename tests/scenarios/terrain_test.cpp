@@ -143,6 +143,32 @@ TEST(TerrainScenario, Meshes) {
     files.refused("", {"bad.off:4"}, "bad.off");
 }
 
+TEST(TerrainScenario, Zones) {
+    const Files files;
+    const Terrain t = files.terrain(
+        "fill_nodata: 23, zones: [{material: glass, polygon: [[1000, 2000], [1025, 2000], [1025, 2040], [1000, "
+        "2040]]},\n"
+        "   {material: steel, polygon: [[1000, 2000], [1015, 2000], [1015, 2015], [1000, 2015]]}]");
+    ASSERT_EQ(t.material.size(), t.mesh.triangle.size());
+    int glass = 0;
+    for (std::uint32_t k = 0; k < t.mesh.triangle.size(); ++k) {
+        const auto& c = t.mesh.triangle[k].corner;
+        const Vec3 middle = (t.mesh.vertex[c[0]] + t.mesh.vertex[c[1]] + t.mesh.vertex[c[2]]) / 3.0;
+        const bool first = middle.x() < 1025 && k < t.ground, second = middle.x() < 1015 && middle.y() < 2015;
+        ASSERT_EQ(t.material[k], MaterialIndex{static_cast<std::uint16_t>(first && !second ? 0 : 1)}) << k;
+        glass += first && !second ? 1 : 0;
+    }
+    EXPECT_EQ(glass, 10);
+    EXPECT_TRUE(files.terrain("").material.empty());
+    files.refused("zones: [{material: glass, polygon: [[0, 0], [1, 1]]}]",
+                  {"walls[0].zones[0].polygon: ", "three corners"});
+    files.refused("zones: [{material: glas, polygon: [[0, 0], [1, 1], [0, 1]]}]",
+                  {"walls[0].zones[0].material", "did you mean 'glass'"});
+    const testing::Result far = testing::build_text(
+        kHead + wall("zones: [{material: glass, polygon: [[0, 0], [1, 1], [0, 1]]}]"), files.folder.path());
+    EXPECT_NE(far.warnings.find("no triangle of the terrain lies in this zone"), std::string::npos);
+}
+
 TEST(TerrainScenario, WrongOnesAreRefused) {
     const Files files;
     files.refused("", {"test.yaml:7:", "walls[0].path: ", "none.asc", "cannot be opened"}, "none.asc");
@@ -168,6 +194,7 @@ TEST(TerrainScenario, WrongOnesAreRefused) {
     files.refused("stride: 0", {"walls[0].stride"});
     files.refused("scale: 0", {"walls[0].scale"});
     files.refused("", {"walls[0].path: "}, ".");
+    files.refused("checksum: abc", {"walls[0].checksum: '", "g.asc' is not the file that is meant", "abc is expected"});
     // the rest of the scenario is looked at too
     expect_error(
         kHead + wall("", "none.asc") +
