@@ -6,7 +6,7 @@ from scree_mpi import MpiTest, main
 
 TERRAIN = """\
 scenario_version: 1
-time: {end: 0.6 s, step: 5 ms}
+time: {end: 2 s, step: 10 ms}
 materials:
   rock: {density: 2600, friction: 0.4, restitution: 0.2}
 walls:
@@ -14,8 +14,8 @@ walls:
 bodies:
   - {generator: random, material: rock, size: {distribution: uniform, lower: 0.4, upper: 1}, count: 80,
      region: {shape: box, lower: [4, 4, 11], upper: [10, 14, 15]}}
-rasters: {interval: 10 ms, solid_fraction: 0.6, covered: 1 cm}
-trajectories: {count: 7, interval: 20 ms}
+rasters: {interval: 20 ms, solid_fraction: 0.6, covered: 1 cm}
+trajectories: {count: 7, interval: 50 ms}
 output: {snapshot_interval: 0.2 s, history_interval: 0.1 s}
 """
 
@@ -38,7 +38,7 @@ class Runout(MpiTest):
             self.assertEqual(a, b, name)
             self.assertGreater(len(set(a.split())), 20, name)
         self.scree("compare", one + "/trajectories.h5", other + "/trajectories.h5", code=0)
-        runouts = [re.search(r"(?ms)^runout:\n(?:  .*\n)+", self.summary(run)).group() for run in (one, other)]
+        runouts = [re.search(r"(?m)^runout:\n(?:  .*\n)+", self.summary(run)).group() for run in (one, other)]
         self.assertEqual(*runouts)
         self.assertIn("height_over_length", runouts[0])
 
@@ -50,7 +50,7 @@ class Runout(MpiTest):
 
     def test_maps_go_on_on_another_number(self):
         self.scree("run", self.scenario, "--out", "whole", "-q", code=0)
-        self.on(3, "run", self.scenario, "--set", "time.end=0.2", "--out", "parts", "-q", code=0)
+        self.on(3, "run", self.scenario, "--set", "time.end=0.8", "--out", "parts", "-q", code=0)
         self.on(2, "run", self.scenario, "--resume", "--out", "parts", "-q", code=0)
         self.assert_same_maps("whole", "parts")
 
