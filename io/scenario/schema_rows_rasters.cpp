@@ -37,6 +37,10 @@ std::vector<Row> rasters() {
             .says("Share of the flow that is body and not pore: flow depth is the volume of the bodies over a cell, "
                   "divided by the area of the cell and by this. 1: depth of the solid alone; about 0.6: as "
                   "depth-averaged models give it."),
+        boolean("rasters.at_snapshots")
+            .standardly("false")
+            .says("Write the rasters as they stand with each snapshot too, as rasters/NNNNNN.h5: `deposit` is then the "
+                  "flow depth at that time."),
         number("rasters.covered", length)
             .standardly("0")
             .in(kNotNegative)

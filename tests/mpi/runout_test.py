@@ -14,7 +14,7 @@ walls:
 bodies:
   - {generator: random, material: rock, size: {distribution: uniform, lower: 0.4, upper: 1}, count: 80,
      region: {shape: box, lower: [4, 4, 11], upper: [10, 14, 15]}}
-rasters: {interval: 20 ms, solid_fraction: 0.6, covered: 1 cm}
+rasters: {interval: 20 ms, solid_fraction: 0.6, covered: 1 cm, at_snapshots: true}
 trajectories: {count: 7, interval: 50 ms}
 output: {snapshot_interval: 0.2 s, history_interval: 0.1 s}
 """
@@ -37,6 +37,8 @@ class Runout(MpiTest):
             a, b = (self.read(run, "rasters", name + ".asc") for run in (one, other))
             self.assertEqual(a, b, name)
             self.assertGreater(len(set(a.split())), 20, name)
+        for number in (0, 4, 10):
+            self.scree("compare", *(f"{run}/rasters/{number:06}.h5" for run in (one, other)), code=0)
         self.scree("compare", one + "/trajectories.h5", other + "/trajectories.h5", code=0)
         runouts = [re.search(r"(?m)^runout:\n(?:  .*\n)+", self.summary(run)).group() for run in (one, other)]
         self.assertEqual(*runouts)
