@@ -52,7 +52,7 @@ class Data:
         self.rasters = Rasters(run)
         self.covered = self.rasters.covered if options.above is None else options.above
         both = np.concatenate([self.before.position, self.after.position])
-        cells = cells_about(self.ground, both.min(axis=0) - 1e-9, both.max(axis=0) + 1e-9)
+        cells = cells_about(self.ground, both.min(axis=0) - 1e-9, both.max(axis=0) + 1e-9, self.before.radius)
         if options.raster == "deposit" and "deposit" not in self.rasters:
             self.shown = depth_of(self.after, *cells, 1.0)
             self.shown.label = "deposit (solid)"

@@ -55,7 +55,10 @@ std::vector<Row> trajectories() {
             .or_else("no body is followed")
             .says("Follows single bodies: position, velocity, spin and orientation (where the scene has them) in "
                   "trajectories.h5. Changes no result."),
-        listing(Kind::integers, "trajectories.ids", 0).or_else("by `count`").says("Ids of the bodies to follow."),
+        listing(Kind::integers, "trajectories.ids", 0)
+            .in(from(0))
+            .or_else("by `count`")
+            .says("Ids of the bodies to follow."),
         integer("trajectories.count")
             .in(between(1, 100000))
             .or_else("by `ids`")

@@ -60,12 +60,13 @@ def volumes(snapshot):
                                                             snapshot.shapes.volume[snapshot.shape])
 
 
-def cells_about(ground, lower, upper):
-    """Borders of cells: about the nodes of the ground, or square ones over a rectangle."""
+def cells_about(ground, lower, upper, radius):
+    """Borders of cells: about the nodes of the ground, or square ones over a rectangle, not smaller than bodies."""
     if ground is not None and ground.height is not None:
         return tuple(np.concatenate([nodes, [2 * nodes[-1] - nodes[-2]]]) - 0.5 * (nodes[1] - nodes[0])
                      for nodes in (ground.x, ground.y))
-    size = max(upper[0] - lower[0], upper[1] - lower[1]) / CELLS
+    size = max(upper[0] - lower[0], upper[1] - lower[1], 1e-9) / CELLS
+    size = max(size, 4.0 * float(np.median(radius)))
     return tuple(np.arange(lower[k], upper[k] + size, size) for k in (0, 1))
 
 

@@ -7,6 +7,7 @@ from mpl_toolkits.axes_grid1.inset_locator import inset_axes
 
 from .frame import length_text, nice_length
 from .rasters import volumes
+from .shading import box_blur
 from .style import BLACK, BLUE, GREY, quantity_label
 
 DEEP = LinearSegmentedColormap.from_list("deep", ["#fff3c4", "#fdc65b", "#f2873a", "#c8442e", "#7c1d3f", "#3a0f3d"])
@@ -74,7 +75,8 @@ class Map:
         bar_axes.grid(False)
 
     def draw_outline(self, raster, above, label, **style):
-        covered = (raster.values > above).astype(float)
+        # A cell counts if it and its neighbours mostly do: no island for each gap between bodies.
+        covered = (box_blur((raster.values > above).astype(float), 1) > 0.4).astype(float)
         if covered.any():
             x, y = raster.centres()
             # a frame of nothing, so that the outline closes
