@@ -16,11 +16,24 @@ namespace {
 
 constexpr double kRasterBytes = 32.0;  // a cell: four doubles
 
-double snapshot_bytes_per_body(const OutputSettings& output) {
+// The surfaces of polyhedra: points in single precision, corners and kinds of the faces, the body of each face.
+double mesh_bytes(const State& state) {
+    double bytes = 0.0;
+    for (const ShapeIndex s : state.bodies.shape) {
+        if (s == kSphere) continue;
+        const ConvexShape& shape = state.shapes[raw(s)];
+        bytes += 12.0 * static_cast<double>(shape.vertex.size()) + 4.0 * static_cast<double>(shape.corner.size()) +
+                 16.0 * static_cast<double>(shape.face.size());
+    }
+    return bytes;
+}
+
+double snapshot_bytes_per_body(const OutputSettings& output, bool shapes) {
     double bytes = 8.0 + 24.0 + 8.0;  // id, position, radius
+    if (shapes) bytes += 4.0 + 32.0;
     for (const std::string& field : output.fields) {
         if (field == "velocity" || field == "spin") bytes += 24.0;
-        if (field == "orientation") bytes += 32.0;
+        if (field == "orientation" && !shapes) bytes += 32.0;
         if (field == "mass") bytes += 8.0;
         if (field == "material") bytes += 2.0;
     }
@@ -165,7 +178,8 @@ CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& st
     cost.contacts = kContactsPerBody * bodies;
     cost.memory =
         static_cast<double>(plan.bytes_per_body) * bodies + static_cast<double>(plan.bytes_per_contact) * cost.contacts;
-    cost.snapshot = snapshot_bytes_per_body(scene.output) * bodies;
+    cost.snapshot = snapshot_bytes_per_body(scene.output, !state.shapes.empty()) * bodies;
+    if (scene.output.mesh) cost.snapshot += mesh_bytes(state);
     if (scene.output.contacts)
         cost.snapshot += 117.0 * cost.contacts;  // ids, point, normal, gap, impulse, force, status
     cost.snapshots = cost.snapshot * static_cast<double>(schedule.snapshots());
@@ -173,6 +187,7 @@ CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& st
     for (const HistoryColumn& column : solvers::history_columns(scene)) columns += column.width;
     cost.history = 8.0 * columns * static_cast<double>(schedule.history_rows());
     cost.checkpoint = 90.0 * bodies + (plan.friction ? 44.0 : 28.0) * cost.contacts;
+    if (scene.rasters) cost.checkpoint += kRasterBytes * static_cast<double>(scene.rasters->grid.cells());
     return cost;
 }
 

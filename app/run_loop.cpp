@@ -59,7 +59,10 @@ void write_due(RunContext& run, const StepReport& report) {
     const bool row_due = state.step % run.scene.trajectories.every == 0 || state.step == run.schedule.steps;
     if (!state.followed.empty() && row_due)
         run.output.trajectory_row(state, solvers::trajectory_row(run.scene, state, run.plan, run.ranks));
-    if (run.schedule.snapshot_due(state.step)) run.output.snapshot(run.scene, state, run.stepper.contacts());
+    if (!run.schedule.snapshot_due(state.step)) return;
+    if (run.scene.rasters && run.scene.rasters->at_snapshots)
+        run.output.rasters(run.scene, state, run.rasters.depth(run.scene, state));
+    run.output.snapshot(run.scene, state, run.stepper.contacts());
 }
 
 void log_progress(RunContext& run, const StepReport& report) {

@@ -11,6 +11,7 @@
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
 #include "io/results/checkpoint.hpp"
+#include "io/results/raster_files.hpp"
 #include "solvers/energy.hpp"
 
 namespace scree::app {
@@ -87,6 +88,11 @@ void RunOutput::trajectory_row(State& state, const std::vector<double>& row) {
 void RunOutput::flush_history() {
     history_.flush();
     if (trajectories_) trajectories_->flush();
+}
+
+void RunOutput::rasters(const Scene& scene, const State& state, const std::vector<double>& depth) {
+    const std::string name = fmt::format("{:06}.h5", state.snapshots_written);
+    io::write_raster_file((folder_.rasters() / name).string(), scene, state, depth, provenance_, ranks_);
 }
 
 void RunOutput::snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts) {

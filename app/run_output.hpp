@@ -32,6 +32,8 @@ class RunOutput {
 
     void history_row(State& state, const std::vector<double>& row);
     void trajectory_row(State& state, const std::vector<double>& row);
+    // With the number of the next snapshot. `depth`: flow depth now.
+    void rasters(const Scene& scene, const State& state, const std::vector<double>& depth);
     void snapshot(const Scene& scene, State& state, const std::vector<ContactRecord>& contacts);
     // Also brings the history to the disk. `own`: the impulses that this rank solved; `phases`: to be written as those
     // of the run.

@@ -36,6 +36,7 @@ struct RasterSettings {
     double level = 0.0;                // [m] z
     std::uint64_t sample_every = 1;    // steps
     double solid_fraction = 1.0;       //
+    bool at_snapshots = false;         // write them with each snapshot too
     double covered = 0.0;              // [m] a cell is covered if its flow depth is above this
 };
 

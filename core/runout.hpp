@@ -5,7 +5,7 @@
 //                 avalanches have it (Mitchell et al. 2019). L is straight; lengths along a bent path are longer.
 //   H_G / L_G     the same between the centres of mass: the mean friction coefficient of a sliding block
 //   deposit       cells whose flow depth at the end is above RasterSettings::covered
-// Bodies that an inlet made or an outlet took are in the end's figures or not, as they are there.
+// The figures of the end are of the bodies that are over the grid then, those of the start of all that were there.
 #pragma once
 
 #include "core/vec.hpp"
@@ -19,7 +19,8 @@ struct Runout {
     Vec3 centre_before = Vec3::Zero(), centre_after = Vec3::Zero();       // [m] absolute: centres of mass
     double centre_fall = 0.0, centre_length = 0.0;                        // H_G, L_G [m]
     double deposit_area = 0.0, deposit_volume = 0.0, deposit_most = 0.0;  // [m2], [m3] depth times area, [m] depth
-    double flowed_area = 0.0;                                             // [m2] cells with an arrival
+    double beyond = 0.0;       // [m3] volume of the bodies that are not over the grid at the end
+    double flowed_area = 0.0;  // [m2] cells with an arrival
 };
 
 }  // namespace scree

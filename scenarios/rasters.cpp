@@ -107,6 +107,7 @@ void build_rasters(const Node& scenario, const Context& context, Scene& scene) {
     }
     rasters.solid_fraction = number_or(node, "solid_fraction", rasters.solid_fraction);
     rasters.covered = number_or(node, "covered", rasters.covered);
+    rasters.at_snapshots = node.has("at_snapshots") && node.boolean("at_snapshots");
     scene.rasters = rasters;
 }
 

@@ -74,7 +74,7 @@ void Rasters::begin(const Scene& scene, State& state) {
     rasters.columns = scene.rasters->grid.columns;
     for (auto* values : {&rasters.depth, &rasters.height, &rasters.speed}) values->assign(cells_, 0.0);
     rasters.arrival.assign(cells_, RasterState::kNever);
-    const BodiesTogether all = together(scene, state.bodies, ranks_);
+    const BodiesTogether all = together(scene, state.bodies, nullptr, ranks_);
     rasters.volume = all.volume;
     rasters.centre = all.centre;
     rasters.top = highest_of_all(state, ranks_);

@@ -24,10 +24,14 @@ std::uint64_t first_with_most(double value, std::uint64_t number, double& most, 
 
 }  // namespace
 
-BodiesTogether together(const Scene& scene, const Bodies& bodies, const Communicator& ranks) {
+BodiesTogether together(const Scene& scene, const Bodies& bodies, const RasterGrid* grid, const Communicator& ranks) {
+    const auto counts = [grid](const Vec3& x) {
+        return grid == nullptr || (x.x() >= grid->x && x.x() < grid->x + grid->columns * grid->dx && x.y() >= grid->y &&
+                                   x.y() < grid->y + grid->rows * grid->dy);
+    };
     std::array<ExactSum, 5> sums;
     add_over_bodies(bodies, std::span<ExactSum, 5>(sums), [&](std::size_t i) {
-        const double mass = bodies.mass[i];
+        const double mass = counts(bodies.position[i]) ? bodies.mass[i] : 0.0;
         const Vec3 moment = mass * bodies.position[i];
         return std::array{mass / scene.materials[raw(bodies.material[i])].density, mass, moment.x(), moment.y(),
                           moment.z()};
@@ -86,7 +90,8 @@ Runout runout(const Scene& scene, const State& state, const std::vector<double>&
     out.flowed_area = static_cast<double>(count[1]) * area;
     out.deposit_volume = ranks.sum(depth) * area;
     out.deposit_most = ranks.max(out.deposit_most);
-    const BodiesTogether end = together(scene, state.bodies, ranks);
+    const BodiesTogether end = together(scene, state.bodies, &grid, ranks);
+    out.beyond = together(scene, state.bodies, nullptr, ranks).volume - end.volume;
     out.released_volume = rasters.volume;
     out.top = rasters.top + scene.origin;
     out.centre_before = rasters.centre + scene.origin;

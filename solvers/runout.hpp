@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/parallel/communicator.hpp"
+#include "core/raster.hpp"
 #include "core/runout.hpp"
 #include "core/scene.hpp"
 #include "core/state.hpp"
@@ -14,8 +15,8 @@ struct BodiesTogether {
     double volume = 0.0, mass = 0.0;  // [m3], [kg]
     Vec3 centre = Vec3::Zero();       // [m] of mass; zero if there is none
 };
-// Exact sums over the bodies of all ranks. Collective.
-BodiesTogether together(const Scene& scene, const Bodies& bodies, const Communicator& ranks);
+// Exact sums over the bodies of all ranks whose centre is over the grid (all, without one). Collective.
+BodiesTogether together(const Scene& scene, const Bodies& bodies, const RasterGrid* grid, const Communicator& ranks);
 // The highest point of a body, over its centre; of equal ones that of the smallest id. Collective.
 Vec3 highest_of_all(const State& state, const Communicator& ranks);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 
 #include "core/parallel/together.hpp"
@@ -14,6 +15,8 @@ namespace scree::io {
 namespace {
 
 constexpr std::size_t kChunkCells = 65536;
+constexpr std::array<const char*, 5> kNames = {"flow_depth_max", "flow_height_max", "speed_max", "arrival_time",
+                                               "deposit"};
 
 struct Named {
     const char* name;
@@ -69,24 +72,29 @@ void write_esri(const std::string& folder, const Hdf5Group& root, const char* na
 
 }  // namespace
 
-void write_rasters(const std::string& folder, const Scene& scene, const State& state,
-                   const std::vector<double>& deposit, const Provenance& provenance, const Communicator& ranks) {
+void write_raster_file(const std::string& path, const Scene& scene, const State& state,
+                       const std::vector<double>& deposit, const Provenance& provenance, const Communicator& ranks) {
     const RasterState& r = state.rasters;
     std::vector<double> arrival = r.arrival;
     std::replace(arrival.begin(), arrival.end(), RasterState::kNever, std::numeric_limits<double>::quiet_NaN());
     const std::vector<Named> rasters = {
-        {"flow_depth_max", {"m", "largest flow depth: volume over a cell / (its area times solid_fraction)"}, r.depth},
-        {"flow_height_max", {"m", "largest height of a body's highest point above the ground"}, r.height},
-        {"speed_max", {"m/s", "largest speed of a body"}, r.speed},
-        {"arrival_time", {"s", "when the flow depth first was above `covered`; NaN: never"}, arrival},
-        {"deposit", {"m", "flow depth at the end"}, deposit},
+        {kNames[0], {"m", "largest flow depth: volume over a cell / (its area times solid_fraction)"}, r.depth},
+        {kNames[1], {"m", "largest height of a body's highest point above the ground"}, r.height},
+        {kNames[2], {"m/s", "largest speed of a body"}, r.speed},
+        {kNames[3], {"s", "when the flow depth first was above `covered`; NaN: never"}, arrival},
+        {kNames[4], {"m", "flow depth now"}, deposit},
     };
-    by_root(ranks, [&] { make_folder(folder); });
-    const std::string path = folder + "/rasters.h5";
+    by_root(ranks, [&] { make_folder(std::filesystem::path(path).parent_path().string()); });
     write_hdf5(path, scene, state.time, rasters, provenance, ranks);
+}
+
+void write_rasters(const std::string& folder, const Scene& scene, const State& state,
+                   const std::vector<double>& deposit, const Provenance& provenance, const Communicator& ranks) {
+    const std::string path = folder + "/rasters.h5";
+    write_raster_file(path, scene, state, deposit, provenance, ranks);
     by_root(ranks, [&] {
         const Hdf5File file = Hdf5File::open(path);
-        for (const Named& raster : rasters) write_esri(folder, file.root(), raster.name, scene);
+        for (const char* name : kNames) write_esri(folder, file.root(), name, scene);
     });
 }
 

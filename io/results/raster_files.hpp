@@ -1,5 +1,5 @@
 // The rasters of a run (core/raster.hpp): rasters/rasters.h5, and each as an ESRI grid for geographic information
-// systems. Written at the end of a run, however it ends.
+// systems. Written at the end of a run, however it ends; if asked for, as rasters/NNNNNN.h5 with each snapshot too.
 //
 // Layout of rasters.h5: format "scree rasters", time, /provenance, and /rasters with the attributes x, y (world: lower
 // corner of the first cell), dx, dy [m] and the datasets (rows, columns), the southernmost row first:
@@ -18,7 +18,10 @@
 
 namespace scree::io {
 
-// Collective. `deposit`: flow depth now, of this rank's cells.
+// Collective, both. `deposit`: flow depth now, of this rank's cells.
+void write_raster_file(const std::string& path, const Scene& scene, const State& state,
+                       const std::vector<double>& deposit, const Provenance& provenance, const Communicator& ranks);
+// All of the folder.
 void write_rasters(const std::string& folder, const Scene& scene, const State& state,
                    const std::vector<double>& deposit, const Provenance& provenance, const Communicator& ranks);
 

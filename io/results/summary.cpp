@@ -177,6 +177,7 @@ void write_runout(Writer& w, const Runout& r) {
     w.real("height_over_length", r.centre_length > 0.0 ? r.centre_fall / r.centre_length : std::nan(""));
     w.close();
     w.real("released_volume", r.released_volume, "m3, of the bodies at the start, without pores");
+    w.real("volume_beyond", r.beyond, "m3, of the bodies that are not over the grid; no figure counts them");
     w.open("deposit");
     w.real("area", r.deposit_area, "m2, cells deeper than rasters.covered");
     w.real("volume", r.deposit_volume, "m3, their flow depth times their area");

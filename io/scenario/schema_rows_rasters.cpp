@@ -37,6 +37,10 @@ std::vector<Row> rasters() {
             .says("Share of the flow that is body and not pore: flow depth is the volume of the bodies over a cell, "
                   "divided by the area of the cell and by this. 1: depth of the solid alone; about 0.6: as "
                   "depth-averaged models give it."),
+        boolean("rasters.at_snapshots")
+            .standardly("false")
+            .says("Write the rasters as they stand with each snapshot too, as rasters/NNNNNN.h5: `deposit` is then the "
+                  "flow depth at that time."),
         number("rasters.covered", length)
             .standardly("0")
             .in(kNotNegative)
@@ -51,7 +55,10 @@ std::vector<Row> trajectories() {
             .or_else("no body is followed")
             .says("Follows single bodies: position, velocity, spin and orientation (where the scene has them) in "
                   "trajectories.h5. Changes no result."),
-        listing(Kind::integers, "trajectories.ids", 0).or_else("by `count`").says("Ids of the bodies to follow."),
+        listing(Kind::integers, "trajectories.ids", 0)
+            .in(from(0))
+            .or_else("by `count`")
+            .says("Ids of the bodies to follow."),
         integer("trajectories.count")
             .in(between(1, 100000))
             .or_else("by `ids`")

@@ -7,7 +7,7 @@
 #include "io/results/checkpoint.hpp"
 #include "io/results/history.hpp"
 #include "io/results/snapshot.hpp"
-#include "io_fixtures.hpp"
+#include "polyhedra.hpp"
 
 namespace scree::io {
 namespace {
@@ -41,6 +41,8 @@ TEST(Files, AreReadByPython) {
     }
     history.flush();
     write_checkpoint(folder / "checkpoint", state, sample_provenance());
+    State rocks = polyhedra_state(20);
+    SnapshotSeries(folder / "rocks", 0).write(scene, rocks, {}, sample_provenance());
     const std::string script = (std::filesystem::path(__FILE__).parent_path() / "read_files.py").string();
     EXPECT_EQ(run(std::string(kPython) + " '" + script + "' '" + folder.path() + "'"), 0);
 }

@@ -7,7 +7,7 @@ import xml.etree.ElementTree
 import h5py
 import numpy
 
-KINDS = {("Float", 8): "f8", ("Int", 8): "i8", ("UInt", 8): "u8", ("Int", 4): "i4", ("UInt", 4): "u4",
+KINDS = {("Float", 8): "f8", ("Float", 4): "f4", ("Int", 8): "i8", ("UInt", 8): "u8", ("Int", 4): "i4", ("UInt", 4): "u4",
          ("UInt", 2): "u2", ("UChar", 1): "u1"}
 
 
@@ -79,6 +79,43 @@ def check_xdmf(folder):
                 assert data.dtype == numpy.dtype("<" + kind), dataset
 
 
+def turned(q, v):
+    w, u = q[0], q[1:]
+    return v + 2.0 * w * numpy.cross(u, v) + 2.0 * numpy.cross(u, numpy.cross(u, v))
+
+
+def check_shapes(folder):
+    """A user places the vertices of bodies; ParaView looks fields up by mesh/body."""
+    with h5py.File(os.path.join(folder, "snapshots", "000000.h5"), "r") as file:
+        check_descriptions(file)
+        shape, shapes, bodies, mesh = file["bodies/shape"][:], file["shapes"], file["bodies"], file["mesh"]
+        first = numpy.cumsum(shapes["vertices"]) - shapes["vertices"][:]
+        places = []
+        for i, s in enumerate(shape):
+            if s < 0:
+                continue
+            own = shapes["vertex"][first[s]:first[s] + shapes["vertices"][s]]
+            places += [bodies["position"][i] + turned(bodies["orientation"][i], v) for v in own]
+        assert numpy.abs(numpy.array(places) - mesh["points"]).max() < 1e-4
+        faces = shapes["faces"][:][shape[shape >= 0]]
+        assert mesh["body"][:].tolist() == numpy.repeat(numpy.flatnonzero(shape >= 0), faces).tolist()
+    run = xml.etree.ElementTree.parse(os.path.join(folder, "run.xdmf")).getroot().find("Domain/Grid")
+    grids = {grid.get("Name"): grid for grid in run.find("Grid").findall("Grid")}
+    assert set(grids) == {"centres", "polyhedra"}
+    assert int(grids["polyhedra"].find("Topology").get("NumberOfElements")) == faces.sum()
+    fields = {a.get("Name"): a for a in grids["polyhedra"].findall("Attribute")}
+    assert set(fields) == {"id", "radius", "velocity", "spin", "mass", "material", "shape"}
+    assert all(a.get("Center") == "Cell" for a in fields.values())
+    assert fields["mass"].find("DataItem").get("Function") == "$0[$1]"
+    for item in grids["polyhedra"].iter("DataItem"):
+        if item.get("Format") == "HDF":
+            name, dataset = item.text.split(":")
+            with h5py.File(os.path.join(folder, name), "r") as file:
+                assert file[dataset].shape == tuple(int(x) for x in item.get("Dimensions").split()), dataset
+                kind = KINDS[item.get("NumberType"), int(item.get("Precision"))]
+                assert file[dataset].dtype == numpy.dtype("<" + kind), dataset
+
+
 def main(folder):
     snapshots = sorted(glob.glob(os.path.join(folder, "snapshots", "*.h5")))
     assert len(snapshots) == 2
@@ -86,6 +123,7 @@ def main(folder):
         check_snapshot(path)
     check_history(os.path.join(folder, "history.h5"))
     check_xdmf(folder)
+    check_shapes(os.path.join(folder, "rocks"))
     for path in glob.glob(os.path.join(folder, "checkpoint", "*.h5")):
         with h5py.File(path, "r") as file:
             check_provenance(file)

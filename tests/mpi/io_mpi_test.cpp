@@ -17,6 +17,7 @@
 #include "io/results/checkpoint.hpp"
 #include "io/results/compare.hpp"
 #include "io/results/history.hpp"
+#include "io/results/raster_files.hpp"
 #include "io/results/run_log.hpp"
 #include "io/results/snapshot.hpp"
 #include "io/results/summary.hpp"
@@ -278,6 +279,31 @@ TEST(RanksSnapshot, TheSeriesGoesOn) {
         EXPECT_EQ(list_snapshots(folder.path()).size(), 2U);
         EXPECT_THAT(read_text(folder / "run.xdmf"), HasSubstr("snapshots/000001.h5:/bodies/velocity"));
     });
+}
+
+TEST(RanksRasters, AreTheFileOfOneRank) {
+    const SharedFolder folder;
+    for (const std::uint32_t rows : {1U, 2U, 700U}) {
+        Scene scene = sample_scene();
+        scene.rasters.emplace();
+        scene.rasters->grid = {500, rows, 0.0, 0.0, 1.0, 1.0};
+        State state = sample_state(1);
+        state.rasters.columns = 500;
+        Random random(rows, 0, 0);
+        for (auto* values : {&state.rasters.depth, &state.rasters.height, &state.rasters.speed, &state.rasters.arrival})
+            for (std::uint32_t k = 0; k < 500 * rows; ++k) values->push_back(random.uniform(0.0, 1.0));
+        State part = state;
+        cut_rasters(part.rasters);
+        write_rasters(folder / "many", scene, part, part.rasters.speed, {}, world());
+        on_root([&] {
+            write_rasters(folder / "one", scene, state, state.rasters.speed, {}, Communicator::self());
+            EXPECT_EQ(differences(folder / "one/rasters.h5", folder / "many/rasters.h5"), "");
+            for (const char* name : {"deposit", "arrival_time"}) {
+                EXPECT_EQ(read_text(folder / ("one/" + std::string(name) + ".asc")),
+                          read_text(folder / ("many/" + std::string(name) + ".asc")));
+            }
+        });
+    }
 }
 
 TEST(RanksHash, IsThatOfOneRank) {

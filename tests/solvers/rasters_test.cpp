@@ -190,8 +190,9 @@ TEST(Runout, WithoutADepositHasNoLength) {
     w.add(Vec3(1.0, 1.0, 1.0), 0.1);
     Rasters rasters(w.scene, Communicator::self());
     rasters.start(w.scene, w.state);
-    w.position() = Vec3(9.0, 0.0, 0.0);
+    w.position() = Vec3(9.0, 0.0, -1e6);  // fell off
     const Runout r = runout(w.scene, w.state, rasters.depth(w.scene, w.state), Communicator::self());
+    EXPECT_NEAR(r.beyond, volume(0.1), 1e-12);
     EXPECT_TRUE(std::isnan(r.length));
     EXPECT_EQ(r.deposit_area, 0.0);
 }

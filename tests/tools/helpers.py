@@ -55,6 +55,43 @@ def write_snapshot(path, number=0, time=0.0, position=None, radius=None, fields=
         group.create_dataset("translation", data=np.zeros((len(walls), 3)))
 
 
+def write_cubes(path, position, quaternion=None, side=0.02):
+    """A snapshot of cubes, the last one of the bodies a sphere."""
+    position = np.asarray(position, dtype=float)
+    count = len(position)
+    quaternion = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1)) if quaternion is None else np.asarray(quaternion, float)
+    shape = np.zeros(count, dtype="i4")
+    shape[-1] = -1
+    write_snapshot(path, position=position, radius=np.full(count, 0.5 * side), walls=[],
+                   fields={"velocity": (position - position.mean(axis=0), "m/s"), "shape": (shape, "1"),
+                           "orientation": (quaternion, "1")})
+    corner = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]) * 0.5 * side
+    faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    normal = [[0, 0, -1], [0, 0, 1], [0, -1, 0], [0, 1, 0], [-1, 0, 0], [1, 0, 0]]
+    with h5py.File(path, "a") as file:
+        for name, values in {"vertices": [8], "faces": [6], "corners": [24], "vertex": corner,
+                             "face_normal": np.array(normal, float), "sides": [4] * 6, "corner": np.ravel(faces),
+                             "volume": [side ** 3]}.items():
+            file[f"shapes/{name}"] = np.asarray(values)
+
+
+def add_terrain(path, height, x=0.0, y=0.0, spacing=1.0):
+    """Puts a grid of heights under a snapshot without walls."""
+    height = np.asarray(height, dtype=float)
+    far = [x + spacing * (height.shape[1] - 1), y + spacing * (height.shape[0] - 1), float(np.nanmax(height))]
+    text = h5py.string_dtype()
+    with h5py.File(path, "a") as file:
+        del file["walls"]
+        walls = file.create_group("walls")
+        walls.create_dataset("name", data=np.array(["ground"], dtype=text))
+        walls.create_dataset("shape", data=np.array(["terrain"], dtype=text))
+        walls.create_dataset("parameters", dtype=text, data=np.array([json.dumps(
+            {"lower": [x, y, float(np.nanmin(height))], "upper": far})], dtype=text))
+        walls["present"], walls["rotation"], walls["translation"] = [1], np.eye(3)[None], np.zeros((1, 3))
+        file["terrain/0/height"] = height
+        file["terrain/0"].attrs.update({"x": x, "y": y, "dx": spacing, "dy": spacing})
+
+
 def write_run(folder, snapshots=3):
     for i in range(snapshots):
         write_snapshot(folder / "snapshots" / f"{i:06d}.h5", i, 0.1 * i)

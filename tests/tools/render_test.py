@@ -4,13 +4,17 @@ import shutil
 import tempfile
 import unittest
 
+import h5py
 import numpy as np
 
-from helpers import picture, share_coloured, tool, write_run, write_snapshot
+from helpers import add_terrain, picture, share_coloured, tool, write_cubes, write_run, write_snapshot
 
 from pictures.camera import Camera
+from pictures.polyhedra import Faces
 from pictures.snapshots import Snapshot
 from pictures.spheres import DepthBuffer, draw_spheres
+from pictures.survey import Survey
+from pictures.triangles import draw_triangles
 
 
 class Rendering(unittest.TestCase):
@@ -168,6 +172,103 @@ class Raster(unittest.TestCase):
             self.assertEqual(snapshot.field("y").values.tolist(), [2.0])
             self.assertEqual(snapshot.field("speed").unit, "m/s")
             self.assertNotIn("spin", snapshot.available_fields())
+
+
+class Triangles(unittest.TestCase):
+    """The rasteriser against a test of each pixel by itself."""
+
+    def test_any_triangles(self):
+        random = np.random.default_rng(3)
+        width, height = 90, 70
+        for size in (0.6, 3.0, 20.0, 200.0):
+            centre = random.uniform([[[0.0, 0.0]]], [[[width, height]]], (60, 1, 2))
+            corner = centre + random.uniform(-size, size, (60, 3, 2))
+            z = random.uniform(0.0, 1.0, (60, 3))
+            buffer = DepthBuffer(width, height)
+            draw_triangles(buffer, corner[:, :, 0], corner[:, :, 1], z, np.arange(60, dtype=np.int32))
+            depth, index = np.full((height, width), -np.inf), np.full((height, width), -1)
+            x, y = np.arange(width)[None, :] + 0.5, np.arange(height)[:, None] + 0.5
+            for i in range(60):
+                (ax, ay), (bx, by), (cx, cy) = corner[i]
+                doubled = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
+                w0 = ((bx - x) * (cy - y) - (cx - x) * (by - y)) / doubled
+                w1 = ((cx - x) * (ay - y) - (ax - x) * (cy - y)) / doubled
+                here = w0 * z[i, 0] + w1 * z[i, 1] + (1.0 - w0 - w1) * z[i, 2]
+                inside = (w0 >= 0) & (w1 >= 0) & (1.0 - w0 - w1 >= 0) & (here > depth)
+                depth[inside], index[inside] = here[inside], i
+            # pixels whose centre lies on an edge to round-off may go either way
+            self.assertLess(np.mean(index != buffer.index), 2e-3)
+            same = (index == buffer.index) & (index >= 0)
+            self.assertLess(abs(depth[same] - buffer.depth[same]).max(), 1e-9)
+
+
+class Polyhedra(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.path = self.folder / "000000.h5"
+
+    def test_cubes_lie_where_they_are(self):
+        """Seen from above, a cube is a square of its side; turned by 45 degrees it is as wide as its diagonal."""
+        half = np.sqrt(0.5)
+        turned = [np.cos(np.pi / 8), 0.0, 0.0, np.sin(np.pi / 8)]
+        write_cubes(self.path, [[0, 0, 0], [0.1, 0, 0], [0.05, 0.06, 0]], [[1, 0, 0, 0], turned, [1, 0, 0, 0]], 0.02)
+        snapshot = Snapshot(self.path)
+        camera = Camera("top", np.array([-0.02, -0.02, -0.02]), np.array([0.12, 0.08, 0.02]), 700)
+        faces = Faces(snapshot, np.array([0, 1]), camera)
+        buffer = DepthBuffer(camera.width, camera.height)
+        x, y, z, _ = camera.project(faces.corner.reshape(-1, 3))
+        draw_triangles(buffer, *(v.reshape(-1, 3) for v in (x, y, z)), faces.body.astype(np.int32))
+        for body, wide in ((0, 0.02), (1, 0.04 * half)):
+            columns = np.nonzero((buffer.index == body).any(axis=0))[0]
+            self.assertAlmostEqual(np.ptp(columns) + 1, wide * camera.pixels_per_metre, delta=2.5)
+            area = np.sum(buffer.index == body) / camera.pixels_per_metre ** 2
+            self.assertAlmostEqual(area, 4e-4, delta=1e-5)
+
+    def test_volume_of_the_faces(self):
+        """All faces from two opposite sides enclose the bodies: corners go round as the normals say."""
+        random = np.random.default_rng(5)
+        quaternion = random.normal(size=(6, 4))
+        quaternion /= np.linalg.norm(quaternion, axis=1, keepdims=True)
+        write_cubes(self.path, random.uniform(-1, 1, (6, 3)), quaternion, 0.02)
+        snapshot = Snapshot(self.path)
+        bounds = np.full(3, -1.0), np.full(3, 1.0)
+        volume = 0.0
+        for view in ("40,30", "220,-30"):
+            camera = Camera(view, *bounds, 100)
+            camera.distance = None  # parallel: each face is seen from exactly one of the two sides
+            faces = Faces(snapshot, np.arange(5), camera)
+            corner = faces.corner - snapshot.position[faces.body][:, None, :]
+            volume += np.einsum("ij,ij->i", corner[:, 0], np.cross(corner[:, 1], corner[:, 2])).sum() / 6.0
+        self.assertAlmostEqual(volume, 5 * 0.02 ** 3, delta=1e-12)
+
+    def test_pictures_of_cubes_on_ground(self):
+        grid = np.linspace(0.2, 0.8, 5)
+        position = np.stack(np.meshgrid(grid, grid, [0.1]), axis=-1).reshape(-1, 3)
+        write_cubes(self.path, position, side=0.1)
+        add_terrain(self.path, np.outer(np.ones(21), np.linspace(0.0, -0.2, 21)), spacing=0.05)
+        for view in ("top", "perspective"):
+            code, _, err = tool("render.py", self.path, f"--view={view}", "-o", self.folder / "v.png", "--pixels", 300)
+            self.assertEqual((code, err), (0, ""))
+            image = picture(self.folder / "v.png")
+            self.assertGreater(share_coloured(image), 0.05)
+            stone = abs(image - image.mean(axis=2, keepdims=True)).max(axis=2) < 0.06
+            self.assertGreater(np.mean(stone & (image.mean(axis=2) < 0.95)), 0.1)  # the ground
+
+    def test_without_its_shapes_says_which_file(self):
+        write_cubes(self.path, [[0, 0, 0], [1, 0, 0]])
+        with h5py.File(self.path, "a") as file:
+            del file["shapes"]
+            file["shapes"] = h5py.ExternalLink("shapes.h5", "/shapes")
+        code, _, err = tool("render.py", self.path, "-o", self.folder / "v.png")
+        self.assertNotEqual(code, 0)
+        self.assertIn("needs shapes.h5 beside it", err)
+
+    def test_bodies_that_fell_off_do_not_make_the_rest_small(self):
+        write_cubes(self.path, [[0.4, 0.4, 0.1], [0.5, 0.5, 0.1], [9.0, 0.5, -5000.0]], side=0.1)
+        add_terrain(self.path, np.zeros((11, 11)), spacing=0.1)
+        survey = Survey([self.path], "speed")
+        self.assertGreater(survey.lower[2], -1.0)
+        self.assertLess(survey.upper[0], 2.0)
 
 
 if __name__ == "__main__":

@@ -51,10 +51,10 @@ def raster(snapshot, camera, rgb, bounds):
         first += len(one)
     last = first
     for terrain in snapshot.grounds:
-        corners = terrain.triangles(bounds, camera.pixels_per_metre / SUPERSAMPLING)
+        corners, normal = terrain.triangles(bounds, camera.pixels_per_metre / SUPERSAMPLING)
         draw_corners(buffer, camera, corners, last + np.arange(len(corners)))
         colours.append(np.broadcast_to(ground.STONE, (len(corners), 3)))
-        normals.append(ground.normals_of(corners) @ camera.axes.T)
+        normals.append(normal @ camera.axes.T)
         last += len(corners)
     nothing = np.zeros((0, 3))
     flats = shading.Flats(np.concatenate([nothing, *colours]), np.concatenate([nothing, *normals]), first - count)

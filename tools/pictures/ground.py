@@ -26,23 +26,32 @@ class Ground:
                 np.array([self.x[-1], self.y[-1], np.nanmax(self.height)]))
 
     def triangles(self, bounds, pixels_per_metre):
-        """Corners (n, 3, 3) inside the bounds, no finer than the picture."""
+        """Corners (n, 3, 3) inside the bounds, no finer than the picture, and unit normals (n, 3): of a grid smooth."""
         if self.height is None:
             corners = self.vertex[self.triangle]
             inside = ((corners[:, :, :2].max(axis=1) >= bounds[0][:2]) &
                       (corners[:, :, :2].min(axis=1) <= bounds[1][:2])).all(axis=1)
-            return corners[inside]
+            return corners[inside], normals_of(corners[inside])
         columns, rows = (part_of(nodes, bounds[0][k], bounds[1][k], pixels_per_metre)
                          for k, nodes in enumerate((self.x, self.y)))
         z = self.height[np.ix_(rows, columns)]
         x, y = np.meshgrid(self.x[columns], self.y[rows])
-        node = np.stack([x, y, z], axis=-1)
+        if min(z.shape) < 2:
+            return np.zeros((0, 3, 3)), np.zeros((0, 3))
+        along_y, along_x = np.gradient(z, y[:, 0], x[0])
+        node = np.stack([x, y, z, -along_x, -along_y], axis=-1)
         a, b, c, d = node[:-1, :-1], node[:-1, 1:], node[1:, 1:], node[1:, :-1]
         # As core/terrain.hpp: along the diagonal whose ends differ less in height.
         first = (abs(a[..., 2] - c[..., 2]) <= abs(b[..., 2] - d[..., 2]))[..., None]
         corners = np.stack([np.stack([a, b, np.where(first, c, d)], axis=-2),
-                            np.stack([np.where(first, a, b), c, d], axis=-2)], axis=2).reshape(-1, 3, 3)
-        return corners[np.isfinite(corners).all(axis=(1, 2))]
+                            np.stack([np.where(first, a, b), c, d], axis=-2)], axis=2).reshape(-1, 3, 5)
+        corners = corners[np.isfinite(corners[:, :, :3]).all(axis=(1, 2))]
+        slope = corners[:, :, 3:].mean(axis=1)
+        normal = np.column_stack([slope, np.ones(len(slope))]) / np.hypot(1.0, np.linalg.norm(slope, axis=1))[:, None]
+        corners = corners[:, :, :3]
+        rough = ~np.isfinite(normal).all(axis=1)  # beside holes
+        normal[rough] = normals_of(corners[rough])
+        return corners, normal
 
     def height_at(self, x, y):
         """Bilinear between the nodes; NaN outside and where there is no data. Of a grid only."""

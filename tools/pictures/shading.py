@@ -4,6 +4,7 @@ import numpy as np
 LIGHT = np.array([-0.45, 0.60, 0.66])  # towards the light, camera coordinates, unit to 1e-3
 AMBIENT, DIFFUSE, GLOSS = 0.52, 0.66, 0.16
 BACKGROUND = np.array([1.0, 1.0, 1.0])
+SHADOW = 0.35  # of the light, that ground beside bodies lacks
 EDGE = 0.78  # of the light, on the edges of polyhedra
 
 
@@ -41,9 +42,11 @@ def shade(buffer, balls, flats, radius):
     # half-way vector between light and eye, for a soft spot of gloss
     half = (LIGHT + np.array([0.0, 0.0, 1.0])) / np.linalg.norm(LIGHT + np.array([0.0, 0.0, 1.0]))
     gloss = GLOSS * np.maximum(normal @ half, 0.0) ** 24
-    gloss[index >= count + flats.faces] = 0.0
+    gloss[index >= count + flats.faces] = 0.0  # ground
     light = (AMBIENT + DIFFUSE * np.maximum(normal @ LIGHT, 0.0)) * (0.72 + 0.28 * np.maximum(normal[:, 2], 0.0))
-    light *= (openness(buffer, *radius) * edges(buffer, count, count + flats.faces))[rows, columns]
+    body = index < count + flats.faces
+    light[body] *= (openness(buffer, *radius) * edges(buffer, count, count + flats.faces))[rows[body], columns[body]]
+    light[~body] *= shadow(buffer, count + flats.faces, radius[0])[rows[~body], columns[~body]]
     image[rows, columns] = np.clip(colour * light[:, None] + gloss[:, None], 0.0, 1.0)
     return image
 
@@ -58,6 +61,12 @@ def edges(buffer, first, last):
                             (np.s_[:-1, :], np.s_[1:, :]), (np.s_[1:, :], np.s_[:-1, :])):
             result[here][face[here] & (index[here] != index[there])] = EDGE
     return result
+
+
+def shadow(buffer, ground, pixels):
+    """1 on open ground, less beside bodies."""
+    bodies = (buffer.index >= 0) & (buffer.index < ground)
+    return 1.0 - SHADOW * np.minimum(2.0 * box_blur(bodies.astype(float), max(int(pixels), 2)), 1.0)
 
 
 def openness(buffer, pixels, radius):
