@@ -22,9 +22,10 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
+    if (std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
     if (!file) throw IoError(fmt::format("{}: cannot be opened for reading", path));
     std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (file.bad() || std::filesystem::is_directory(path)) throw IoError(fmt::format("{}: cannot be read", path));
+    if (file.bad()) throw IoError(fmt::format("{}: cannot be read", path));
     return bytes;
 }
 

@@ -1,11 +1,18 @@
 """Terrain from the command line: what check and explain say, faults of its file, a moved scene, a run that goes on."""
 
+import json
 import os
-
-import h5py
-import numpy as np
+import subprocess
+import unittest
 
 from scree_cli import CliTest, main
+
+# The system's Python has h5py where the one that runs this may not.
+PYTHON = "/usr/bin/python3"
+BODIES = """import h5py, json, sys
+with h5py.File(sys.argv[1]) as file: print(json.dumps([file["bodies/" + name][:].tolist() for name in sys.argv[2:]]))"""
+HAS_H5PY = os.path.exists(PYTHON) and subprocess.run([PYTHON, "-c", "import h5py"], capture_output=True,
+                                                     check=False).returncode == 0
 
 SCENE = """\
 scenario_version: 1
@@ -30,8 +37,10 @@ class Terrain(CliTest):
         return self.write(f"{name}/scene.yaml", SCENE.format(x=x, y=y))
 
     def final(self, out):
-        with h5py.File(self.path(out, "snapshots/000002.h5")) as file:
-            return file["bodies/position"][:], file["bodies/velocity"][:]
+        """Positions and velocities of all bodies, one row a body."""
+        done = subprocess.run([PYTHON, "-c", BODIES, self.path(out, "snapshots/000002.h5"), "position", "velocity"],
+                              capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)
 
     def test_check_says_what_it_is(self):
         out = self.scree("check", self.scene("a"), code=0).out
@@ -56,13 +65,17 @@ class Terrain(CliTest):
         os.remove(self.path("a/data/hills.asc"))
         self.assertRegex(self.scree("run", scene, code=3).err, r"scene\.yaml:9:\d+: error: walls\[0\]\.path: .*hills\.asc")
 
+    @unittest.skipUnless(HAS_H5PY, "no h5py")
     def test_a_scene_far_away_is_the_same(self):
         self.scree("run", self.scene("here"), "--out", "near", "-q", code=0)
         self.scree("run", self.scene("there", 5000000, 3000000), "--out", "far", "-q", code=0)
         (x, v), (far_x, far_v) = self.final("near"), self.final("far")
-        self.assertLess(np.abs(far_x - [5000000, 3000000, 0] - x).max(), 1e-6)
-        self.assertLess(np.abs(far_v - v).max(), 1e-6)
-        self.assertGreater(np.abs(v).max(), 0.1)
+        self.assertEqual(len(x), 36)
+        for near, far, shift in ((x, far_x, (5000000, 3000000, 0)), (v, far_v, (0, 0, 0))):
+            for a, b in zip(near, far):
+                for p, q, s in zip(a, b, shift):
+                    self.assertLess(abs(q - s - p), 1e-6)
+        self.assertGreater(max(abs(c) for row in v for c in row), 0.1)
 
     def test_goes_on_where_it_stopped(self):
         scene = self.scene("a")
