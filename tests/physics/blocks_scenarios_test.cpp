@@ -49,12 +49,12 @@ class Shipped {
 
 // The least thickness of a semicircle of 11 voussoirs with flat faces is 0.104589 of the radius, by linear programming
 // over the lines of thrust.
-TEST(Arch, StandsThreePercentAboveTheLeastThicknessAndFallsThreePercentBelow) {
-    Shipped thick("arch", {"bodies[0].thickness=0.107727"}), thin("arch", {"bodies[0].thickness=0.101451"});
+TEST(Arch, StandsHalfAPercentAboveTheLeastThicknessAndFallsHalfAPercentBelow) {
+    Shipped thick("arch", {"bodies[0].thickness=0.105112"}), thin("arch", {"bodies[0].thickness=0.104066"});
     thick.run(1.0);
     EXPECT_LT(thick.farthest_way(), 1e-6);
-    thin.run(0.5);
-    EXPECT_GT(thin.farthest_way(), 0.05);
+    thin.run(0.8);
+    EXPECT_GT(thin.farthest_way(), 0.1);
 }
 
 // Friction 0.8 is more than tan 35 = 0.700, 0.6 is less: what slides freely does so with g (sin 35 - 0.6 cos 35).
