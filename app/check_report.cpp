@@ -175,7 +175,7 @@ CostEstimate estimate_cost(const Scene& scene, const Plan& plan, const State& st
     const OutputSchedule schedule(scene.time, scene.output);
     const auto bodies = static_cast<double>(state.bodies.size());
     CostEstimate cost;
-    cost.contacts = kContactsPerBody * bodies;
+    cost.contacts = contacts_per_body(plan) * bodies;
     cost.memory =
         static_cast<double>(plan.bytes_per_body) * bodies + static_cast<double>(plan.bytes_per_contact) * cost.contacts;
     cost.snapshot = snapshot_bytes_per_body(scene.output, !state.shapes.empty()) * bodies;
@@ -206,9 +206,9 @@ std::string check_report(const std::string& scenario_name, const Scene& scene, c
     }
     const CostEstimate cost = estimate_cost(scene, plan, state);
     text += "cost (estimates; files before compression)\n";
-    text += fmt::format("  memory      {} bytes a body, {} bytes a contact{}: about {} with {} contacts\n",
-                        plan.bytes_per_body, plan.bytes_per_contact, plan.polyhedra ? " (counted for spheres)" : "",
-                        bytes_text(cost.memory), count_text(static_cast<std::uint64_t>(cost.contacts)));
+    text += fmt::format("  memory      {} bytes a body, {} bytes a contact: about {} with {} contacts\n",
+                        plan.bytes_per_body, plan.bytes_per_contact, bytes_text(cost.memory),
+                        count_text(static_cast<std::uint64_t>(cost.contacts)));
     text += fmt::format("  snapshots   {}, {} each: {}\n", count_text(schedule.snapshots()), bytes_text(cost.snapshot),
                         bytes_text(cost.snapshots));
     text +=

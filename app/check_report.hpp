@@ -13,6 +13,12 @@ namespace scree::app {
 // Monodisperse spheres at rest with friction touch 4 to 6 others: 2 to 3 contacts a body; those that are near count
 // too.
 inline constexpr double kContactsPerBody = 3.0;
+// Polyhedra touch at several points each, all of them counted: 5 (dominoes) to 15 (blocks of a rock mass) in the
+// scenarios that come with Scree.
+inline constexpr double kContactsPerPolyhedron = 8.0;
+inline double contacts_per_body(const Plan& plan) {
+    return plan.polyhedra ? kContactsPerPolyhedron : kContactsPerBody;
+}
 
 // Rough sizes in bytes, without compression. `contacts`: expected in a dense bed.
 struct CostEstimate {

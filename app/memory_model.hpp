@@ -1,5 +1,6 @@
 // How many bytes a body and a contact take under a plan, measured and not tabulated: the stepper makes one step with a
-// thousand spheres apart and one with the same spheres touching, and tells what it holds. Takes milliseconds.
+// thousand spheres (cubes, if the plan has polyhedra) apart and one with them touching, and tells what it holds. Takes
+// milliseconds.
 #pragma once
 
 #include "core/plan.hpp"

@@ -61,7 +61,7 @@ std::vector<RankShare> share_out(const Scene& scene, const State& state, int ran
 
 std::string shares_text(const std::vector<RankShare>& shares, const Plan& plan) {
     const auto bodies = [](const RankShare& s) { return static_cast<double>(s.bodies); };
-    const auto contacts = [](const RankShare& s) { return kContactsPerBody * static_cast<double>(s.bodies); };
+    const auto contacts = [&](const RankShare& s) { return contacts_per_body(plan) * static_cast<double>(s.bodies); };
     const auto border = [](const RankShare& s) { return static_cast<double>(s.border); };
     const auto memory = [&](const RankShare& s) {
         return static_cast<double>(plan.bytes_per_body) * (bodies(s) + border(s)) +

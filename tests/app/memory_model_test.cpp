@@ -5,7 +5,7 @@
 namespace scree::app {
 namespace {
 
-Plan plan_of(double friction) {
+Plan plan_of(double friction, bool polyhedra = false) {
     Scene scene;
     scene.time.step = 1e-3;
     scene.time.end = 1.0;
@@ -14,6 +14,7 @@ Plan plan_of(double friction) {
     scene.pairs.set(MaterialIndex{0}, MaterialIndex{0}, {friction, 0.0});
     Bodies bodies;
     bodies.material.assign(2, MaterialIndex{0});
+    if (polyhedra) bodies.shape.assign(2, ShapeIndex{0});
     Plan plan = make_plan(scene, bodies);
     measure_memory(scene, plan);
     return plan;
@@ -36,20 +37,16 @@ TEST(MemoryModel, SpinsAndTangentsAreNotHeldWithoutFriction) {
     EXPECT_LE(without.bytes_per_contact + 16U, with.bytes_per_contact);
 }
 
-// Polyhedra are counted as spheres would be, with the spins and orientations that they have.
-TEST(MemoryModel, OfScenesWithPolyhedra) {
-    Scene scene;
-    scene.time.step = 1e-3;
-    scene.time.end = 1.0;
-    scene.materials = {{"stone", 2600.0}};
-    scene.pairs = PairTable(1);
-    Bodies bodies;
-    bodies.material.assign(2, MaterialIndex{0});
-    bodies.shape.assign(2, ShapeIndex{0});
-    Plan plan = make_plan(scene, bodies);
-    measure_memory(scene, plan);
-    EXPECT_TRUE(plan.polyhedra);
-    EXPECT_GE(plan.bytes_per_body, 98U + 24U + 32U);
+// Beside what spheres have: orientation, shape, inertia.
+TEST(MemoryModel, PolyhedraTakeMore) {
+    for (const double friction : {0.0, 0.5}) {
+        const Plan spheres = plan_of(friction), polyhedra = plan_of(friction, true);
+        EXPECT_TRUE(polyhedra.polyhedra);
+        EXPECT_GE(polyhedra.bytes_per_body, spheres.bytes_per_body + 32U + 4U + 24U);
+        EXPECT_LT(polyhedra.bytes_per_body, 5000U);
+        EXPECT_GE(polyhedra.bytes_per_contact, 48U);
+        EXPECT_LT(polyhedra.bytes_per_contact, 5000U);
+    }
 }
 
 }  // namespace

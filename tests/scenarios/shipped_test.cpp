@@ -4,6 +4,8 @@
 #include <map>
 
 #include "contact/polyhedra/polyhedron_polyhedron.hpp"
+#include "io/scenario/schema_json.hpp"
+#include "io/scenario/schema_text.hpp"
 #include "tests/scenarios/support.hpp"
 
 namespace scree {
@@ -43,6 +45,17 @@ TEST(ShippedScenarios, AllAreBuiltWithTheirBodies) {
         ++found;
     }
     EXPECT_EQ(found, kBodies.size());
+}
+
+// After a change of a key: scree schema --reference > scenarios/REFERENCE.md; scree schema >
+// scenarios/scenario.schema.json.
+TEST(ShippedScenarios, TheReferenceAndTheSchemaTellOfTheKeysAsTheyAre) {
+    const auto text = [](const char* name) {
+        std::ifstream file(kFolder / name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_TRUE(text("REFERENCE.md") == io::reference_markdown());
+    EXPECT_TRUE(text("scenario.schema.json") == io::schema_json());
 }
 
 TEST(ShippedScenarios, BeginWithTheSchemaAndAComment) {
