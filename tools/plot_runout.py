@@ -11,7 +11,7 @@ from pictures.rasters import LABELS, Rasters, cells_about, depth_of
 from pictures.runout import Map, Profile
 from pictures.snapshots import Snapshot
 from pictures.style import BLUE, BLACK, GREY, ORANGE, plt
-from pictures.tracks import Line, tracks_of, way_of_the_mass
+from pictures.tracks import Line, Places, tracks_of, way_of_the_mass
 
 MARGIN = 0.10  # around what flowed, over its size
 WIDTH, LEFT = 9.8, 0.95  # inches
@@ -60,10 +60,10 @@ class Data:
             self.shown = self.rasters[options.raster]
         self.release = depth_of(self.before, self.shown.x, self.shown.y, self.rasters.solid_fraction)
         self.flowed = self.rasters["flow_depth_max"] if "flow_depth_max" in self.rasters else None
-        snapshots = [Snapshot(path) for path in paths]
-        self.tracks = tracks_of(run, snapshots)[:options.tracks]
+        places = Places(paths)
+        self.tracks = tracks_of(run, places)[:options.tracks]
         self.crest, self.toe = self.ends()
-        self.line = options.line or way_of_the_mass(self.crest, self.toe, snapshots)
+        self.line = options.line or way_of_the_mass(self.crest, self.toe, places.middles)
 
     def ends(self):
         """Crest and toe as the summary has them, else from the first and the last snapshot."""

@@ -1,5 +1,6 @@
 // Compares two results: two snapshots, checkpoints or histories, or two run folders (their snapshots by number, their
-// histories, their newest checkpoints). Bodies are matched by id. Provenance and times of the wall clock do not count.
+// histories, trajectories and rasters, their newest checkpoints). Bodies are matched by id. Provenance and times of the
+// wall clock do not count.
 #pragma once
 
 #include <cstdint>

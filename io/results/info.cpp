@@ -110,6 +110,19 @@ std::string folder_info(const std::string& folder) {
         text += fmt::format("  history     {} columns, {} rows\n", columns.size(),
                             columns.empty() ? 0 : columns.front().shape.at(0));
     }
+    const std::string trajectories = folder + "/trajectories.h5";
+    if (fs::exists(trajectories)) {
+        const Hdf5File file = Hdf5File::open(trajectories);
+        std::size_t bodies = 0;
+        for (const DatasetInfo& info : file.root().datasets()) bodies += info.name.ends_with(".position") ? 1 : 0;
+        text += fmt::format("  trajectories of {} bodies, {} rows\n", bodies,
+                            file.root().dataset("history/time").shape.at(0));
+    }
+    const std::string rasters = folder + "/rasters/rasters.h5";
+    if (fs::exists(rasters)) {
+        const DatasetInfo deposit = Hdf5File::open(rasters).root().dataset("rasters/deposit");
+        text += fmt::format("  rasters     {} x {} cells\n", deposit.shape.at(1), deposit.shape.at(0));
+    }
     for (const std::string& path : list_checkpoints(folder + "/checkpoint")) {
         text += "  checkpoint  " + fs::path(path).filename().string() + "\n";
     }

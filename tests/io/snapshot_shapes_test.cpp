@@ -156,6 +156,10 @@ TEST(SnapshotShapes, AreShownAndCompared) {
     const Comparison comparison = compare(a, b, 1e-6);
     EXPECT_FALSE(comparison.identical);
     EXPECT_TRUE(comparison.within);
+    // Of folders, what all snapshots share is compared once.
+    const std::string text = to_text(compare(one.path(), other.path(), 1e-6));
+    EXPECT_THAT(text, AllOf(HasSubstr("shapes.h5: shapes/vertex: 1 of 72 numbers differ"),
+                            Not(HasSubstr("000000.h5: shapes/"))));
     // A snapshot alone, without shapes.h5, still opens.
     fs::remove(other / "snapshots/shapes.h5");
     EXPECT_THAT(info(b), Not(HasSubstr("shapes/vertex")));

@@ -11,7 +11,7 @@ from helpers import add_terrain, picture, share_coloured, tool, write_snapshot
 from pictures.ground import Ground
 from pictures.rasters import depth_of, volumes
 from pictures.snapshots import Snapshot
-from pictures.tracks import Line
+from pictures.tracks import Line, Places, tracks_of, way_of_the_mass
 
 
 def write_flow(run, count=200):
@@ -74,6 +74,17 @@ class Runout(unittest.TestCase):
             self.assertEqual(self.draw("--line", *line)[0], 2, line)
         self.assertEqual(self.draw("--line", "5,25", "95,25")[0], 0)
         self.assertNotEqual(tool("plot_runout.py", self.folder / "none")[0], 0)
+
+    def test_ways_from_snapshots(self):
+        write_flow(self.folder)
+        places = Places(sorted((self.folder / "snapshots").iterdir()))
+        np.testing.assert_allclose([middle[0] for middle in places.middles], [10.0, 40.0, 70.0], atol=1.0)
+        tracks = tracks_of(self.folder, places)
+        self.assertEqual(len(tracks), 40)
+        for way in tracks:
+            np.testing.assert_allclose(way[:, 0] - way[0, 0], [0.0, 30.0, 60.0], atol=1e-9)
+        corners = way_of_the_mass([10.0, 25.0], [75.0, 25.0], places.middles)
+        self.assertEqual(len(corners), 3)  # the first and the last middle are crest and toe nearly
 
     def test_depth_times_area_is_the_volume(self):
         write_flow(self.folder)

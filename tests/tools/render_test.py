@@ -14,7 +14,7 @@ from pictures.polyhedra import Faces
 from pictures.snapshots import Snapshot
 from pictures.spheres import DepthBuffer, draw_spheres
 from pictures.survey import Survey
-from pictures.triangles import draw_triangles
+from pictures.triangles import draw_triangles, linear_over
 
 
 class Rendering(unittest.TestCase):
@@ -202,6 +202,14 @@ class Triangles(unittest.TestCase):
             self.assertLess(abs(depth[same] - buffer.depth[same]).max(), 1e-9)
 
 
+    def test_numbers_between_corners(self):
+        random = np.random.default_rng(7)
+        x, y, values = random.uniform(0, 9, (5, 3)), random.uniform(0, 9, (5, 3)), random.uniform(0, 1, (5, 3, 2))
+        value, a, b = linear_over(x, y, values)
+        for k in range(3):
+            np.testing.assert_allclose(value + a * x[:, k:k + 1] + b * y[:, k:k + 1], values[:, k], atol=1e-9)
+
+
 class Polyhedra(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
@@ -253,6 +261,25 @@ class Polyhedra(unittest.TestCase):
             self.assertGreater(share_coloured(image), 0.05)
             stone = abs(image - image.mean(axis=2, keepdims=True)).max(axis=2) < 0.06
             self.assertGreater(np.mean(stone & (image.mean(axis=2) < 0.95)), 0.1)  # the ground
+
+    def test_ground_of_a_mesh_looks_like_that_of_a_grid(self):
+        x = np.linspace(0.0, 1.0, 11)
+        height = np.add.outer(0.1 * x, -0.2 * x)
+        pictures = []
+        for mesh in (False, True):
+            write_cubes(self.path, [[0.4, 0.4, 0.3], [0.6, 0.5, 0.3]], side=0.1)
+            add_terrain(self.path, height, spacing=0.1)
+            if mesh:
+                corner = np.array([[x[i], x[j], height[j, i]] for j in range(11) for i in range(11)])
+                cell = np.array([11 * j + i for j in range(10) for i in range(10)])[:, None]
+                with h5py.File(self.path, "a") as file:
+                    del file["terrain"]
+                    file["terrain/0/vertex"] = corner
+                    file["terrain/0/triangle"] = np.concatenate([cell + [0, 1, 12], cell + [0, 12, 11]])
+            code, _, err = tool("render.py", self.path, "--view=30,40", "-o", self.folder / "v.png", "--pixels", 200)
+            self.assertEqual((code, err), (0, ""))
+            pictures.append(picture(self.folder / "v.png"))
+        self.assertLess(abs(pictures[0] - pictures[1]).mean(), 2e-3)
 
     def test_without_its_shapes_says_which_file(self):
         write_cubes(self.path, [[0, 0, 0], [1, 0, 0]])

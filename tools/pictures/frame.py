@@ -40,31 +40,30 @@ def raster(snapshot, camera, rgb, bounds):
     x, y, z, scale = camera.project(snapshot.position)
     ball = snapshot.is_sphere
     spheres.draw_spheres(buffer, np.where(ball, x, np.nan), y, z, scale, snapshot.radius)
-    colours, normals = [], []
-    first = count = len(snapshot.radius)
+    count = len(snapshot.radius)
+    flats = shading.Flats(np.zeros((0, 3)), np.zeros((0, 3)))
     if not ball.all():
         faces = polyhedra.Faces(snapshot, np.flatnonzero(~ball), camera)
         draw_corners(buffer, camera, faces.corner, count + faces.face)
         one = np.unique(faces.face, return_index=True)[1]
-        colours.append(rgb[faces.body[one]])
-        normals.append(faces.normal[one] @ camera.axes.T)
-        first += len(one)
-    last = first
+        flats = shading.Flats(rgb[faces.body[one]], faces.normal[one] @ camera.axes.T)
+    slopes, last = [], count + len(flats.normals)
     for terrain in snapshot.grounds:
         corners, normal = terrain.triangles(bounds, camera.pixels_per_metre / SUPERSAMPLING)
-        draw_corners(buffer, camera, corners, last + np.arange(len(corners)))
-        colours.append(np.broadcast_to(ground.STONE, (len(corners), 3)))
-        normals.append(normal @ camera.axes.T)
+        at_x, at_y = draw_corners(buffer, camera, corners, last + np.arange(len(corners)))
+        slopes.append(triangles.linear_over(at_x, at_y, normal @ camera.axes.T))
         last += len(corners)
-    nothing = np.zeros((0, 3))
-    flats = shading.Flats(np.concatenate([nothing, *colours]), np.concatenate([nothing, *normals]), first - count)
+    slopes = [np.concatenate(parts) for parts in zip(*slopes)] or [np.zeros((0, 3))] * 3
     radius = (float(np.median(snapshot.radius * scale)), float(np.median(snapshot.radius))) if count else (1.0, 1.0)
-    return shading.shade(buffer, shading.Balls(rgb, x, y, scale, snapshot.radius), flats, radius), buffer
+    balls = shading.Balls(rgb, x, y, scale, snapshot.radius)
+    return shading.shade(buffer, balls, flats, shading.Slopes(ground.STONE, *slopes), radius), buffer
 
 
 def draw_corners(buffer, camera, corners, index):
-    x, y, z, _ = camera.project(corners.reshape(-1, 3))
-    triangles.draw_triangles(buffer, *(values.reshape(-1, 3) for values in (x, y, z)), index)
+    """Where they are in the picture."""
+    x, y, z, _ = (values.reshape(-1, 3) for values in camera.project(corners.reshape(-1, 3)))
+    triangles.draw_triangles(buffer, x, y, z, index)
+    return x, y
 
 
 def draw_walls(axes, snapshot, camera, bounds, buffer):

@@ -26,7 +26,7 @@ class Ground:
                 np.array([self.x[-1], self.y[-1], np.nanmax(self.height)]))
 
     def triangles(self, bounds, pixels_per_metre):
-        """Corners (n, 3, 3) inside the bounds, no finer than the picture, and unit normals (n, 3): of a grid smooth."""
+        """Corners (n, 3, 3) inside the bounds, no finer than the picture, and unit normals there: of a grid smooth."""
         if self.height is None:
             corners = self.vertex[self.triangle]
             inside = ((corners[:, :, :2].max(axis=1) >= bounds[0][:2]) &
@@ -37,7 +37,7 @@ class Ground:
         z = self.height[np.ix_(rows, columns)]
         x, y = np.meshgrid(self.x[columns], self.y[rows])
         if min(z.shape) < 2:
-            return np.zeros((0, 3, 3)), np.zeros((0, 3))
+            return np.zeros((0, 3, 3)), np.zeros((0, 3, 3))
         along_y, along_x = np.gradient(z, y[:, 0], x[0])
         node = np.stack([x, y, z, -along_x, -along_y], axis=-1)
         a, b, c, d = node[:-1, :-1], node[:-1, 1:], node[1:, 1:], node[1:, :-1]
@@ -46,10 +46,11 @@ class Ground:
         corners = np.stack([np.stack([a, b, np.where(first, c, d)], axis=-2),
                             np.stack([np.where(first, a, b), c, d], axis=-2)], axis=2).reshape(-1, 3, 5)
         corners = corners[np.isfinite(corners[:, :, :3]).all(axis=(1, 2))]
-        slope = corners[:, :, 3:].mean(axis=1)
-        normal = np.column_stack([slope, np.ones(len(slope))]) / np.hypot(1.0, np.linalg.norm(slope, axis=1))[:, None]
+        slope = corners[:, :, 3:]
+        normal = np.concatenate([slope, np.ones_like(slope[:, :, :1])], axis=2)
+        normal /= np.linalg.norm(normal, axis=2, keepdims=True)
         corners = corners[:, :, :3]
-        rough = ~np.isfinite(normal).all(axis=1)  # beside holes
+        rough = ~np.isfinite(normal).all(axis=(1, 2))  # beside holes
         normal[rough] = normals_of(corners[rough])
         return corners, normal
 
@@ -77,5 +78,7 @@ def part_of(nodes, low, high, pixels_per_metre):
 
 
 def normals_of(corners):
+    """Of each triangle, at each of its corners (n, 3, 3)."""
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+    return np.repeat(normal[:, None, :], 3, axis=1)

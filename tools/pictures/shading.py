@@ -16,20 +16,33 @@ class Balls:
 
 
 class Flats:
-    """Plane pieces, whose indices in the buffer come after those of all balls: colours and unit normals (m, 3) in
-    camera coordinates. The first `faces` of them are faces of bodies, which have edges and gloss; the rest is ground."""
+    """Faces of bodies, whose indices in the buffer come after those of all balls: colours and unit normals (n, 3) in
+    camera coordinates."""
 
-    def __init__(self, colours, normals, faces):
-        self.colours, self.normals, self.faces = colours, normals, faces
+    def __init__(self, colours, normals):
+        self.colours, self.normals = colours, normals
 
 
-def shade(buffer, balls, flats, radius):
+class Slopes:
+    """Triangles of the ground, whose indices come last: one colour, and normals that change over the picture,
+    value + a x + b y (n, 3), so that neighbours meet without a break."""
+
+    def __init__(self, colour, value, a, b):
+        self.colour, self.value, self.a, self.b = colour, value, a, b
+
+    def normals(self, index, rows, columns):
+        normal = self.value[index] + self.a[index] * (columns + 0.5)[:, None] + self.b[index] * (rows + 0.5)[:, None]
+        return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+
+
+def shade(buffer, balls, flats, slopes, radius):
     """RGB image (height, width, 3). `radius`: a usual one of the bodies, in pixels and in metres."""
     image = np.broadcast_to(BACKGROUND, (buffer.height, buffer.width, 3)).copy()
     rows, columns = np.nonzero(buffer.index >= 0)
     if len(rows) == 0:
         return image
     index, count = buffer.index[rows, columns], len(balls.r)
+    ground = count + len(flats.normals)
     normal, colour = np.empty((len(index), 3)), np.empty((len(index), 3))
     ball = np.flatnonzero(index < count)
     of = index[ball]
@@ -37,16 +50,18 @@ def shade(buffer, balls, flats, radius):
     ny = np.clip(-(rows[ball] + 0.5 - balls.y[of]) / balls.r[of], -1.0, 1.0)
     normal[ball] = np.column_stack([nx, ny, np.sqrt(np.maximum(1.0 - nx * nx - ny * ny, 0.0))])
     colour[ball] = balls.colours[of]
-    flat = np.flatnonzero(index >= count)
+    flat = np.flatnonzero((index >= count) & (index < ground))
     normal[flat], colour[flat] = flats.normals[index[flat] - count], flats.colours[index[flat] - count]
+    slope = np.flatnonzero(index >= ground)
+    normal[slope], colour[slope] = slopes.normals(index[slope] - ground, rows[slope], columns[slope]), slopes.colour
     # half-way vector between light and eye, for a soft spot of gloss
     half = (LIGHT + np.array([0.0, 0.0, 1.0])) / np.linalg.norm(LIGHT + np.array([0.0, 0.0, 1.0]))
     gloss = GLOSS * np.maximum(normal @ half, 0.0) ** 24
-    gloss[index >= count + flats.faces] = 0.0  # ground
+    gloss[slope] = 0.0
     light = (AMBIENT + DIFFUSE * np.maximum(normal @ LIGHT, 0.0)) * (0.72 + 0.28 * np.maximum(normal[:, 2], 0.0))
-    body = index < count + flats.faces
-    light[body] *= (openness(buffer, *radius) * edges(buffer, count, count + flats.faces))[rows[body], columns[body]]
-    light[~body] *= shadow(buffer, count + flats.faces, radius[0])[rows[~body], columns[~body]]
+    body = np.flatnonzero(index < ground)
+    light[body] *= (openness(buffer, *radius) * edges(buffer, count, ground))[rows[body], columns[body]]
+    light[slope] *= shadow(buffer, ground, radius[0])[rows[slope], columns[slope]]
     image[rows, columns] = np.clip(colour * light[:, None] + gloss[:, None], 0.0, 1.0)
     return image
 

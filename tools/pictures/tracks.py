@@ -7,26 +7,42 @@ CORNERS = 0.08  # of the straight runout, between corners of the way of the mass
 FOLLOWED = 40  # bodies, where the run followed none
 
 
-def tracks_of(run, snapshots):
-    """[(points (n, 3))] of each body followed."""
+class Places:
+    """Of all snapshots, one after the other so that no more than one is in memory: the middle of the bodies (medians),
+    and where a few of them were."""
+
+    def __init__(self, paths):
+        self.middles, self.ways, chosen = [], {}, None
+        for path in paths:
+            with open_hdf5(path) as file:
+                position = file["bodies/position"][...]
+                ids = file["bodies/id"][...] if "bodies/id" in file else np.arange(len(position))
+            if len(ids) == 0:
+                continue
+            self.middles.append(np.median(position[:, :2], axis=0))
+            if chosen is None:
+                chosen = ids[np.unique(np.linspace(0, len(ids) - 1, FOLLOWED).astype(int))]
+            _, rows, _ = np.intersect1d(ids, chosen, return_indices=True)
+            for row in rows:
+                self.ways.setdefault(int(ids[row]), []).append(position[row])
+
+
+def tracks_of(run, places):
+    """The points (n, 3) of each body followed."""
     path = run / "trajectories.h5"
     if path.exists():
         with open_hdf5(path) as file:
             ways = [item[...] for name, item in file["history"].items() if name.endswith(".position")]
     else:
-        ids = snapshots[0].bodies.get("id", np.arange(len(snapshots[0].radius)))
-        chosen = ids[np.linspace(0, len(ids) - 1, min(FOLLOWED, len(ids))).astype(int)] if len(ids) else []
-        places = [dict(zip(s.bodies["id"].tolist(), s.position)) for s in snapshots if "id" in s.bodies]
-        ways = [np.array([place[i] for place in places if i in place]) for i in chosen]
+        ways = [np.array(way) for way in places.ways.values()]
     return [way[np.isfinite(way).all(axis=1)] for way in ways if len(way) > 1]
 
 
-def way_of_the_mass(crest, toe, snapshots):
-    """Corners of a line from the crest to the toe along the middle of the bodies (medians) at the snapshots."""
+def way_of_the_mass(crest, toe, middles):
+    """Corners of a line from the crest to the toe along the middle of the bodies."""
     corners, target = [np.asarray(crest[:2])], np.asarray(toe[:2])
     least = CORNERS * np.linalg.norm(target - corners[0])  # between corners
-    for snapshot in snapshots:
-        middle = np.median(snapshot.position[:, :2], axis=0) if len(snapshot.radius) else target
+    for middle in middles:
         if np.linalg.norm(middle - corners[-1]) > least and np.linalg.norm(middle - target) > least:
             corners.append(middle)
     return [*corners, target]

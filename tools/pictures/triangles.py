@@ -35,6 +35,18 @@ def draw_part(buffer, x, y, z, index):
         draw_one(buffer, planes.of(i), column[i], row[i], index[i], int(size[i]))
 
 
+def linear_over(x, y, values):
+    """value, a, b (n, m) so that value + a x + b y is values (n, 3, m) at the corners x, y (n, 3)."""
+    doubled = (x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])
+    doubled = np.where(abs(doubled) > 1e-12, doubled, np.inf)  # seen edge-on: never drawn
+    a, b = np.zeros_like(values[:, 0]), np.zeros_like(values[:, 0])
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        a += ((y[:, i] - y[:, j]) / doubled)[:, None] * values[:, k]
+        b += ((x[:, j] - x[:, i]) / doubled)[:, None] * values[:, k]
+    return values[:, 0] - a * x[:, :1] - b * y[:, :1], a, b
+
+
 class Planes:
     """Linear functions of the pixel, value + a dx + b dy: three that are positive inside, and the depth."""
 
