@@ -149,6 +149,7 @@ void Run::finish(const std::string& status, const std::string& reason, const Ste
 
 // Rasters as they stand to their files, and what follows from them.
 Runout Run::finish_rasters() {
+    rasters_.finish(setup_.scene, setup_.state);
     const std::vector<double> deposit = rasters_.depth(setup_.scene, setup_.state);
     io::write_rasters(folder_.rasters().string(), setup_.scene, setup_.state, deposit, output_.provenance(), ranks_);
     return solvers::runout(setup_.scene, setup_.state, deposit, ranks_);

@@ -49,7 +49,7 @@ struct RasterState {
     // What was there at the start; relative to the scene's origin.
     double volume = 0.0;         // [m3] of the bodies
     Vec3 centre = Vec3::Zero();  // [m] centre of mass
-    Vec3 top = Vec3::Zero();     // [m] the highest point of a body, over its centre
+    Vec3 top = Vec3::Zero();     // [m] the highest point of a body, over its centre; NaN if there was none
 };
 
 }  // namespace scree

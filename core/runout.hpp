@@ -14,7 +14,7 @@ namespace scree {
 
 struct Runout {
     double released_volume = 0.0;                                         // [m3] of the bodies, without pores
-    Vec3 top = Vec3::Zero(), toe = Vec3::Zero();                          // [m] absolute; toe NaN if no deposit
+    Vec3 top = Vec3::Zero(), toe = Vec3::Zero();                          // [m] absolute; NaN without bodies, deposit
     double fall_height = 0.0, length = 0.0;                               // H, L [m]; NaN if no deposit
     Vec3 centre_before = Vec3::Zero(), centre_after = Vec3::Zero();       // [m] absolute: centres of mass
     double centre_fall = 0.0, centre_length = 0.0;                        // H_G, L_G [m]

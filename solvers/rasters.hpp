@@ -24,6 +24,8 @@ class Rasters {
     void after_step(const Scene& scene, State& state) {
         if (scene.rasters && state.step % scene.rasters->sample_every == 0) sample(scene, state);
     }
+    // At the end, after the last checkpoint: no deposit is deeper than the largest flow depth.
+    void finish(const Scene& scene, State& state) { sample(scene, state); }
     // Flow depth now [m], of this rank's cells.
     std::vector<double> depth(const Scene& scene, const State& state);
 

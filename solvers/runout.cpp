@@ -37,7 +37,7 @@ BodiesTogether together(const Scene& scene, const Bodies& bodies, const RasterGr
                           moment.z()};
     });
     ranks.sum(std::span<ExactSum>(sums));
-    BodiesTogether all{sums[0].value(), sums[1].value(), Vec3::Zero()};
+    BodiesTogether all{sums[0].value(), sums[1].value(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN())};
     if (all.mass > 0.0) all.centre = Vec3(sums[2].value(), sums[3].value(), sums[4].value()) / all.mass;
     return all;
 }
@@ -54,7 +54,9 @@ Vec3 highest_of_all(const State& state, const Communicator& ranks) {
         id = raw(state.bodies.id[i]);
         place = Vec3(state.bodies.position[i].x(), state.bodies.position[i].y(), z);
     }
-    const bool here = first_with_most(highest, id, most, ranks) == id && id != kNone;
+    const std::uint64_t first = first_with_most(highest, id, most, ranks);
+    if (first == kNone) return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    const bool here = first == id;
     // One rank has it; the others add zeros.
     std::array<std::uint64_t, 3> bits{};
     for (int k = 0; here && k < 3; ++k) bits[static_cast<std::size_t>(k)] = std::bit_cast<std::uint64_t>(place[k]);
@@ -80,7 +82,7 @@ Runout runout(const Scene& scene, const State& state, const std::vector<double>&
         depth.add(deposit[c]);
         out.deposit_most = std::max(out.deposit_most, deposit[c]);
         const double x = grid.centre_x(first + c) - rasters.top.x(), y = grid.centre_y(first + c) - rasters.top.y();
-        if (x * x + y * y <= farthest) continue;
+        if (!(x * x + y * y > farthest)) continue;
         farthest = x * x + y * y;
         toe = first + c;
     }

@@ -37,6 +37,9 @@ class Runout(MpiTest):
             a, b = (self.read(run, "rasters", name + ".asc") for run in (one, other))
             self.assertEqual(a, b, name)
             self.assertGreater(len(set(a.split())), 20, name)
+        deepest, deposit = ([float(x) for x in self.read(one, "rasters", name + ".asc").split("-9999\n")[1].split()]
+                            for name in ("flow_depth_max", "deposit"))
+        self.assertTrue(all(a >= b for a, b in zip(deepest, deposit)))
         for number in (0, 4, 10):
             self.scree("compare", *(f"{run}/rasters/{number:06}.h5" for run in (one, other)), code=0)
         self.assertIn("rasters     20 x 12 cells", self.scree("info", other, code=0).out)

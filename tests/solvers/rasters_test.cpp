@@ -54,6 +54,13 @@ TEST(Rasters, KeepTheLargestOfEachCell) {
     EXPECT_DOUBLE_EQ(kept.speed[next], 1.0);
     EXPECT_DOUBLE_EQ(kept.height[next], 10.5);
     EXPECT_DOUBLE_EQ(kept.speed[first], 5.0);
+    // The last step of a run counts.
+    w.state.step = 3;
+    w.velocity() = Vec3(0.0, 2.0, 0.0);
+    rasters.after_step(w.scene, w.state);
+    EXPECT_DOUBLE_EQ(kept.speed[next], 1.0);
+    rasters.finish(w.scene, w.state);
+    EXPECT_DOUBLE_EQ(kept.speed[next], 2.0);
     // The deposit is what lies there now.
     const std::vector<double> deposit = rasters.depth(w.scene, w.state);
     EXPECT_EQ(deposit[first], 0.0);
@@ -182,6 +189,19 @@ TEST(Runout, IsFromTheCrestToTheFarthestCoveredCell) {
     w.position(0) = Vec3(195.0, 5.0, 0.0);
     w.position(1) = Vec3(95.0, 5.0, 0.0);
     EXPECT_NEAR(runout(w.scene, w.state, rasters.depth(w.scene, w.state), Communicator::self()).length, 90.0, 1e-9);
+}
+
+TEST(Runout, WithoutAReleaseHasNoLength) {
+    SmallScene w(0.1);
+    w.scene.rasters = cells(2, 2, 1.0);
+    Rasters rasters(w.scene, Communicator::self());
+    rasters.start(w.scene, w.state);
+    w.add(Vec3(1.0, 1.0, 1.0), 0.1);  // from an inlet
+    const Runout r = runout(w.scene, w.state, rasters.depth(w.scene, w.state), Communicator::self());
+    EXPECT_TRUE(std::isnan(r.length));
+    EXPECT_TRUE(std::isnan(r.top.x()));
+    EXPECT_TRUE(std::isnan(r.centre_length));
+    EXPECT_EQ(r.deposit_area, 4.0);
 }
 
 TEST(Runout, WithoutADepositHasNoLength) {
