@@ -228,7 +228,10 @@ Built build(const io::Node& scenario, const std::string& folder, io::Diagnostics
     BodyList bodies = generate(scenario, files, context, built.scene, ranks);
     drop_unused_shapes(ranks, bodies);
     built.shape_name = std::move(bodies.shape_name);
-    if (!bodies.shapes.empty()) check_measures_of_polyhedra(scenario, context);
+    if (!bodies.shapes.empty()) {
+        check_measures_of_polyhedra(scenario, context);
+        check_walls_of_polyhedra(scenario, built.scene, context);
+    }
     built.state = make_state(std::move(bodies), built.scene, scenario, context, ranks);
     return built;
 }

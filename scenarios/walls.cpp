@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "contact/polyhedra/polyhedron_wall.hpp"
 #include "core/errors.hpp"
 
 namespace scree::scenarios {
@@ -117,6 +118,15 @@ void build_walls(const Node& scenario, const Context& context, std::vector<Terra
         if (node.has("motion") && !is_terrain) wall.motion = build_motion(node.at("motion"), context);
         scene.walls.push_back(wall);
     }
+}
+
+void check_walls_of_polyhedra(const io::Node& scenario, const Scene& scene, const Context& context) {
+    const io::Node::List& items = items_of(scenario, "walls");
+    for (std::size_t w = 0; w < scene.walls.size(); ++w)
+        if (contact::polyhedron_wall_cover(scene.walls[w].shape) == contact::WallCover::none)
+            context.error(items[w],
+                          "polyhedra do not feel this wall; expected a plane, a box, a cylinder or cone with "
+                          "bodies inside, a disc or terrain");
 }
 
 }  // namespace scree::scenarios

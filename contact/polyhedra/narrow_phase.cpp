@@ -4,6 +4,7 @@
 #include "contact/polyhedra/polyhedron_triangle.hpp"
 #include "contact/polyhedra/sphere_polyhedron.hpp"
 #include "contact/sphere_sphere.hpp"
+#include "core/make_shape.hpp"
 #include "core/terrain.hpp"
 
 namespace scree::contact {
@@ -101,6 +102,34 @@ void NarrowPhase::polyhedron_on_terrain(const WallShape& shape, const WallFrame&
         ball_on_wall(shape, frame, i, body.shape->inner_radius, margin);
 }
 
+const NarrowPhase::Block& NarrowPhase::block_of(const Vec3& sides) {
+    for (const Block& block : blocks_)
+        if (block.sides == sides) return block;
+    Polyhedron box;
+    for (int k = 0; k < 8; ++k)
+        box.vertex.push_back(0.5 * sides.cwiseProduct(Vec3((k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0,
+                                                           (k & 4) != 0 ? 1.0 : -1.0)));
+    box.face = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    Block block{sides, {}, {}};
+    const PlacedShape made = make_shape(box);
+    block.shape = made.shape;
+    block.room.resize(placed_size(block.shape));
+    contact::place(block.shape, Vec3::Zero(), made.rotation, block.room);
+    blocks_.push_back(std::move(block));
+    return blocks_.back();
+}
+
+// A box with bodies outside is a polyhedron that does not move by itself.
+void NarrowPhase::polyhedron_on_block(const BoxWall& box, const WallFrame& frame, std::size_t i, double margin) {
+    const Block& block = block_of(box.upper - box.lower);
+    const std::span<const Vec3> room(block.room);
+    const std::size_t vertices = block.shape.vertex.size();
+    const Placed placed{&block.shape, 0.5 * (box.lower + box.upper), room.first(vertices), room.subspan(vertices)};
+    Vec3 no_guess = Vec3::Zero();
+    if (polyhedron_polyhedron(in_frame(frame, i), placed, margin, no_guess, scratch_, manifold_))
+        add_points(manifold_, frame, 0);
+}
+
 Placed NarrowPhase::in_frame(const WallFrame& frame, std::size_t i) {
     const Placed& body = placed_[i];
     if (!frame.moves) return body;
@@ -116,6 +145,8 @@ std::span<const WallPoint> NarrowPhase::wall(const WallShape& shape, const WallF
         ball_on_wall(shape, frame, i, state_->bodies.radius[i], margin);
     } else if (std::holds_alternative<TerrainWall>(shape)) {
         polyhedron_on_terrain(shape, frame, i, margin);
+    } else if (const auto* box = std::get_if<BoxWall>(&shape); box != nullptr && !box->inside) {
+        polyhedron_on_block(*box, frame, i, margin);
     } else {
         polyhedron_wall(shape, in_frame(frame, i), margin, places_);
         for (const Manifold& place : places_.places()) add_points(place, frame, 0);

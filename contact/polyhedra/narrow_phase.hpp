@@ -43,6 +43,7 @@ class NarrowPhase {
     bool is_sphere(std::size_t i) const { return placed_[i].shape == nullptr; }
     void ball_on_wall(const WallShape& shape, const WallFrame& frame, std::size_t i, double radius, double margin);
     void add_points(const Manifold& manifold, const WallFrame& frame, std::uint32_t part);
+    void polyhedron_on_block(const BoxWall& box, const WallFrame& frame, std::size_t i, double margin);
     void polyhedron_on_terrain(const WallShape& shape, const WallFrame& frame, std::size_t i, double margin);
     Placed in_frame(const WallFrame& frame, std::size_t i);
 
@@ -54,6 +55,14 @@ class NarrowPhase {
     PolyhedraScratch scratch_;
     Manifold manifold_;
     WallPlaces places_;
+    // Boxes that keep bodies outside, as shapes, by their sides; few.
+    struct Block {
+        Vec3 sides;  // [m]
+        ConvexShape shape;
+        std::vector<Vec3> room;
+    };
+    const Block& block_of(const Vec3& sides);
+    std::vector<Block> blocks_;
     std::vector<WallPoint> wall_points_;
 };
 

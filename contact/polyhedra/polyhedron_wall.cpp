@@ -137,7 +137,7 @@ struct Touch {
 struct Cover {
     WallCover operator()(const PlaneWall&) const { return WallCover::exact; }
     WallCover operator()(const BoxWall& w) const {
-        if (!w.inside) return WallCover::none;
+        if (!w.inside) return WallCover::exact;
         return w.open_top || w.open_bottom ? WallCover::inside : WallCover::exact;
     }
     WallCover operator()(const CylinderWall& w) const {
@@ -148,7 +148,7 @@ struct Cover {
     WallCover operator()(const DiscWall&) const { return WallCover::inside; }
     WallCover operator()(const OrificeFloor&) const { return WallCover::none; }
     WallCover operator()(const SlotFloor&) const { return WallCover::none; }
-    WallCover operator()(const TerrainWall&) const { return WallCover::none; }
+    WallCover operator()(const TerrainWall&) const { return WallCover::exact; }
 };
 
 }  // namespace

@@ -8,8 +8,9 @@
 //   disc),
 //       and only vertices beside the surface: exact for what does not reach over an end. What leans on a rim is not
 //       held.
-// Not covered, nothing is reported: boxes, cylinders and cones from outside, floors with a hole.
-// polyhedron_wall_cover() tells. There edges and faces of the body meet rims and convex sides.
+// Boxes from outside are polyhedra themselves, and terrain is triangles: narrow_phase.hpp sees to both, not this file.
+// Not covered, nothing is reported: cylinders and cones from outside, floors with a hole. There edges and faces of the
+// body meet rims and convex sides. polyhedron_wall_cover() tells.
 #pragma once
 
 #include "contact/polyhedra/manifold.hpp"
@@ -31,7 +32,7 @@ enum class WallCover : std::uint8_t {
     inside,  // those that do not reach over an end of the surface
     none
 };
-WallCover polyhedron_wall_cover(const WallShape& shape);
+WallCover polyhedron_wall_cover(const WallShape& shape);  // of all that a step does
 
 // All places where the gap is at most `margin`. `body` is placed in the wall's frame, and so are points and normals.
 // Keys name the vertex, as vertex_of_a, and the place: sides of boxes as in walls/box.cpp, else 0. Overwrites `out`.

@@ -187,7 +187,7 @@ TEST(PolyhedronWall, AlongAndOnTheAxisOfACylinder) {
 TEST(PolyhedronWall, SaysWhatItDoesNotCover) {
     EXPECT_EQ(polyhedron_wall_cover(OrificeFloor{Vec3::Zero(), Vec3::UnitZ(), 1.0}), WallCover::none);
     EXPECT_EQ(polyhedron_wall_cover(SlotFloor{Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), 1.0, 1.0}), WallCover::none);
-    EXPECT_EQ(polyhedron_wall_cover(BoxWall{{0, 0, 0}, {1, 1, 1}, false, false, false}), WallCover::none);
+    EXPECT_EQ(polyhedron_wall_cover(BoxWall{{0, 0, 0}, {1, 1, 1}, false, false, false}), WallCover::exact);
     EXPECT_EQ(polyhedron_wall_cover(CylinderWall{Vec3::Zero(), Vec3::UnitZ(), 1.0, 1.0, false}), WallCover::none);
     EXPECT_EQ(polyhedron_wall_cover(PlaneWall{Vec3::Zero(), Vec3::UnitZ()}), WallCover::exact);
 }

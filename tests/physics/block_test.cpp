@@ -99,5 +99,24 @@ TEST(Block, ACubeSpinningOnTheFloorIsStoppedByItsCorners) {
     EXPECT_NEAR(last, 0.160178, 3e-4);
 }
 
+// A box that keeps bodies outside is felt on its faces, edges and corners.
+TEST(Block, RestsOnAFixedBoxAndFallsOffItsEdge) {
+    for (const double over : {0.04, 0.06}) {  // the centre beyond the edge by -1 cm or 1 cm
+        World w(1e-3, 0.5);
+        w.gravity(Vec3(0, 0, -kGravity));
+        w.add(cube(0.1), Vec3(0.45 + over, 0.02, 1.05));
+        w.add_wall(BoxWall{{-0.5, -0.5, 0.0}, {0.5, 0.5, 1.0}, false, false, false});
+        w.run(1500);
+        EXPECT_LT(w.state.ledger.drift(), 1e-10);
+        if (over < 0.05) {
+            EXPECT_LT(w.velocity().norm(), 1e-10);
+            EXPECT_NEAR(w.position().z(), 1.05, 1e-9);
+        } else {
+            EXPECT_LT(w.position().z(), 0.9);
+            EXPECT_GT(w.spin().y(), 0.1);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace scree
