@@ -103,6 +103,22 @@ TEST(Walls, WhatMakesNoSenseIsRefused) {
                  {"test.yaml:8", "w"});
 }
 
+TEST(Walls, PolyhedraAreRefusedWhereNothingWouldHoldThem) {
+    const auto scenario = [](const std::string& wall) {
+        return kHead +
+               "shapes:\n  - {name: cube, kind: box, size: 0.1}\nbodies:\n"
+               "  - {generator: polyhedron, shape: cube, material: glass, position: [0, 0, 5]}\n"
+               "walls:\n  - {name: w, material: glass, " +
+               wall + "}\n";
+    };
+    for (const char* wall : {"shape: cylinder, base: [0, 0, 0], radius: 1, length: 2, keeps: outside",
+                             "shape: orifice_floor, centre: [0, 0, 0], hole_diameter: 1"})
+        expect_error(scenario(wall), {"test.yaml:11", "polyhedra do not feel this wall; expected a plane, a box"});
+    for (const char* wall : {"shape: box, lower: [0, 0, 0], upper: [1, 1, 1], keeps: outside",
+                             "shape: cylinder, base: [0, 0, 0], radius: 1, length: 2"})
+        EXPECT_EQ(testing::build_text(scenario(wall)).errors, "");
+}
+
 TEST(Measures, FindTheirWallAndWindow) {
     const Scene scene =
         build_good(kHead +
