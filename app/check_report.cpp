@@ -63,6 +63,15 @@ std::string wall_shape(const Wall& wall, const Vec3& origin) {
     return text;
 }
 
+std::string release_line(const Wall& wall) {
+    const auto* terrain = std::get_if<TerrainWall>(&wall.shape);
+    if (terrain == nullptr || !terrain->terrain->release) return "";
+    const TerrainRelease& release = *terrain->terrain->release;
+    return fmt::format(
+        "  release     {:.4g} m3 above the sliding planes of '{}', up to {:.4g} m deep, over {:.4g} m2\n",
+        release.volume, wall.name, release.deepest, release.area);
+}
+
 std::string bodies_lines(const Scene& scene, const State& state) {
     const Bodies& bodies = state.bodies;
     if (bodies.size() == 0) return "  bodies      none at the start\n";
@@ -119,6 +128,7 @@ std::string scene_lines(const Scene& scene) {
     std::string text;
     for (const Wall& wall : scene.walls) {
         text += fmt::format("  wall        {}: {}\n", wall.name, wall_shape(wall, scene.origin));
+        text += release_line(wall);
     }
     for (const Inlet& inlet : scene.inlets) {
         text += fmt::format("  inlet       {}: {:.4g} kg/s\n", inlet.name, inlet.mass_rate);

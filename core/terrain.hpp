@@ -39,6 +39,14 @@ struct HeightGrid {
 
 enum class TerrainBorder : std::uint8_t { open, closed };
 
+// What was taken from a grid of heights so that bodies may fill its place.
+struct TerrainRelease {
+    std::vector<double> thickness;  // [m] at each node of the grid: so much higher was the ground; 0 outside
+    double volume = 0.0;            // [m3]
+    double area = 0.0;              // [m2] seen from above, of the nodes that were lowered
+    double deepest = 0.0;           // [m] upright
+};
+
 struct Terrain {
     TerrainMesh mesh;
     TerrainLookup lookup;
@@ -48,7 +56,8 @@ struct Terrain {
     double bottom = 0.0, top = 0.0;       // [m] where the sides end
     std::optional<HeightGrid> grid;       // what the surface was made of, if it is a height field
     std::vector<MaterialIndex> material;  // of each triangle; empty: that of the wall
-    std::string checksum;                 // of the file that it was read from
+    std::optional<TerrainRelease> release;
+    std::string checksum;  // of the file that it was read from
 
     // visit(triangle) for each that may touch the box, in increasing order, each once.
     template <class Visit>

@@ -114,6 +114,8 @@ BodyList generate(const io::Node& scenario, const InputFiles& files, const Conte
             generate_wall_of_blocks(node, context, sharing, bodies);
         } else if (generator == "arch") {
             generate_arch(node, context, sharing, bodies);
+        } else if (generator == "release") {
+            generate_release(node, stream, context, scene, sharing, bodies);
         } else if (generator == "random") {
             generate_random(node, stream, context, scene, bodies);
         } else {

@@ -135,6 +135,13 @@ double Figures::largest_volume() const {
     return largest;
 }
 
+double Figures::largest_radius() const {
+    if (named_ == nullptr) return 0.5 * largest_diameter(*size_);
+    double largest = 0.0;
+    for (const Instance& instance : instances_) largest = std::max(largest, instance.radius);
+    return largest;
+}
+
 void add(BodyList& bodies, std::uint64_t id, const Figure& figure, MaterialIndex material, const Vec3& position,
          const Vec3& velocity, const Vec3& spin) {
     if (figure.shape == kSphere) {

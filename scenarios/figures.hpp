@@ -40,6 +40,7 @@ class Figures {
     // Body k; `random` gives its size and then goes on.
     Figure draw(std::uint64_t k, Random& random) const;
     double largest_volume() const;
+    double largest_radius() const;  // [m] of the balls that hold them
 
   private:
     std::size_t size_class(double diameter) const;

@@ -90,6 +90,9 @@ void generate_rock_mass(const io::Node& node, std::uint64_t stream, const Contex
                         BodyList& bodies);
 void generate_wall_of_blocks(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
 void generate_arch(const io::Node& node, const Context& context, const Communicator& ranks, BodyList& bodies);
+// Bodies in what was taken from a terrain of the scene. Every rank looks at all places.
+void generate_release(const io::Node& node, std::uint64_t stream, const Context& context, const Scene& scene,
+                      const Communicator& ranks, BodyList& bodies);
 // Keeps clear of the bodies already in the list and of the walls that are there at time 0. Each place depends on all
 // that were taken before, so the list must be whole, and all bodies are made: on many ranks each does all the work and
 // holds the bodies of the whole region for a while.

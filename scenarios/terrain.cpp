@@ -11,6 +11,8 @@
 #include "io/checksum.hpp"
 #include "io/terrain/esri_grid.hpp"
 #include "io/terrain/gzip.hpp"
+#include "scenarios/polygon.hpp"
+#include "scenarios/release.hpp"
 #include "scenarios/shapes/mesh_formats.hpp"
 
 namespace scree::scenarios {
@@ -122,7 +124,7 @@ void read_grid(const io::Node& node, const Context& context, const std::string& 
 
 void read_mesh(const io::Node& node, const Context& context, const std::string& path, std::string bytes,
                TerrainFile& file) {
-    for (const char* key : {"cell", "crop", "stride", "fill_nodata"}) {
+    for (const char* key : {"cell", "crop", "stride", "fill_nodata", "release"}) {
         if (node.has(key)) {
             context.error(node.at(key), "is for grids of heights (.asc, .asc.gz); the path names a mesh");
         }
@@ -189,29 +191,16 @@ TerrainFile read_terrain(const io::Node& node, const Context& context, const Com
     return file;
 }
 
-// Even-odd rule.
-bool holds(const std::vector<Vec3>& polygon, const Vec3& x) {
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec3 &a = polygon[i], &b = polygon[j];
-        if ((a.y() > x.y()) == (b.y() > x.y())) continue;
-        inside ^= x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    }
-    return inside;
-}
-
 void add_zone(const io::Node& node, const Context& context, MaterialIndex wall, Terrain& terrain) {
     const MaterialIndex material = context.material(node.at("material"));
-    std::vector<Vec3> polygon;
-    for (const io::Node& row : node.at("polygon").items())
-        polygon.emplace_back(row.at(0).number() - context.origin.x(), row.at(1).number() - context.origin.y(), 0.0);
-    if (polygon.size() < 3) return context.error(node.at("polygon"), "a polygon has three corners or more");
+    const Polygon polygon(node.at("polygon"), context);
+    if (!polygon.has_area()) return;
     if (terrain.material.empty()) terrain.material.assign(terrain.mesh.triangle.size(), wall);
     bool any = false;
     for (std::uint32_t t = 0; t < terrain.ground; ++t) {
         const TriangleCorners& c = terrain.mesh.triangle[t].corner;
         const Vec3 middle = (terrain.mesh.vertex[c[0]] + terrain.mesh.vertex[c[1]] + terrain.mesh.vertex[c[2]]) / 3.0;
-        if (!holds(polygon, middle)) continue;
+        if (!polygon.holds(middle.x(), middle.y())) continue;
         terrain.material[t] = material;
         any = true;
     }
@@ -246,7 +235,11 @@ WallShape build_terrain(const io::Node& node, TerrainFile file, const Context& c
         if (file.grid) {
             file.grid->x += shift.x(), file.grid->y += shift.y();
             for (double& z : file.grid->height) z += shift.z();
-            return finished(node, context, file.checksum, make_terrain(std::move(*file.grid), border));
+            std::optional<TerrainRelease> release;
+            if (node.has("release")) release = cut_release(node.at("release"), context, *file.grid);
+            Terrain terrain = make_terrain(std::move(*file.grid), border);
+            terrain.release = std::move(release);
+            return finished(node, context, file.checksum, std::move(terrain));
         }
         for (Vec3& x : file.vertex) x += shift;
         return finished(node, context, file.checksum,

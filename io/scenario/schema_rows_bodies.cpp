@@ -117,6 +117,36 @@ std::vector<Row> bodies() {
             .in(between(1, 1e9))
             .says("Places tried for one body before the run is refused as too dense."),
 
+        variant("bodies[release]")
+            .says("Bodies in the place of what was taken from a terrain by its `release`: close packed by the largest "
+                  "ball that holds one of them, whole below the former surface. Grains of a released mass are as many "
+                  "and as large as asked for here, not those of nature; the solid fraction is at most 0.74 of what "
+                  "bodies fill of that ball, less what is lost along the edges."),
+        text("bodies[release].wall").required().naming("walls").says("The terrain that has a `release`."),
+        text("bodies[release].material").required().naming("materials").says("Their material."),
+        section("bodies[release].size")
+            .or_else("the size of `shape`")
+            .like("SIZE")
+            .says("Their sizes; needed unless there is a `shape`. All have the room of the largest: a wide range packs "
+                  "loosely."),
+        integer("bodies[release].count")
+            .in(between(1, 1e12))
+            .or_else("every place is filled, or `solid_fraction` holds")
+            .says("Number of bodies, from the sliding planes up. More than there are places is an error that says how "
+                  "many there are."),
+        number("bodies[release].solid_fraction")
+            .in({0.0, 0.74, true})
+            .or_else("every place is filled, or `count` holds")
+            .says("Bodies are added from the sliding planes up until they fill this share of the released volume."),
+        number("bodies[release].spheres")
+            .standardly("0")
+            .in(between(0, 1))
+            .says("Each body of a `shape` is with this probability the sphere of the same volume."),
+        number("bodies[release].gap", length)
+            .standardly("0")
+            .in(kNotNegative)
+            .says("Added to the distance between places. More: a looser start."),
+
         variant("bodies[file]")
             .says("Bodies from a text file, one a line, numbers separated by blanks, `#` begins a comment."),
         text("bodies[file].path")
@@ -140,20 +170,20 @@ std::vector<Row> bodies() {
             .says("Multiplies positions and sizes, not velocities: 0.001 reads millimetres."),
         vector("bodies[file].offset", length).standardly("[0, 0, 0]").says("Added to each position, after `scale`."),
     };
-    for (const char* generator : {"lattice", "random", "file"}) {
+    for (const char* generator : {"lattice", "random", "release", "file"}) {
         const std::string path = std::string("bodies[") + generator + "].";
         rows.push_back(text(path + "shape")
                            .naming("shapes")
                            .or_else(path == "bodies[file]." ? "a column says it, or they are spheres" : "spheres")
                            .says("Their shape. Sizes are then diameters of the ball of equal volume."));
     }
-    for (const char* generator : {"polyhedron", "lattice", "random", "file"}) {
+    for (const char* generator : {"polyhedron", "lattice", "random", "release", "file"}) {
         rows.push_back(section(std::string("bodies[") + generator + "].orientation")
                            .like("ORIENTATION")
                            .or_else("that of the shape's own frame")
                            .says("How polyhedra are turned about their centres of mass."));
     }
-    for (const char* generator : {"lattice", "random"}) {
+    for (const char* generator : {"lattice", "random", "release"}) {
         rows.push_back(integer(std::string("bodies[") + generator + "].size_classes")
                            .or_else("20")
                            .in(between(1, 10000))
@@ -161,7 +191,7 @@ std::vector<Row> bodies() {
                                  "`size`, the nearest to what was drawn. Each is a shape in memory. Not for "
                                  "spheres."));
     }
-    for (const char* generator : {"sphere", "polyhedron", "lattice", "random"}) {
+    for (const char* generator : {"sphere", "polyhedron", "lattice", "random", "release"}) {
         const std::string path = std::string("bodies[") + generator + "].";
         rows.push_back(vector(path + "velocity", velocity).standardly("[0, 0, 0]").says("Velocity at time 0."));
         rows.push_back(vector(path + "spin", angular_velocity)

@@ -150,6 +150,25 @@ std::vector<Row> walls() {
             .says("Its corners in order, in the coordinates of the scenario: three or more; the last is joined to the "
                   "first."),
 
+        section("walls[terrain].release")
+            .or_else("the ground stays as the file has it")
+            .says("Grids: what slides. Within a perimeter the ground is lowered to sliding planes where it lies above "
+                  "them; the generator `release` puts bodies in its place. `scree check` tells its volume."),
+        table("walls[terrain].release.perimeter", {{"x", length, {}}, {"y", length, {}}})
+            .required()
+            .says("Corners of the perimeter in order, in the coordinates of the scenario: three or more; the last is "
+                  "joined to the first. A node is within or outside as a whole, so the scar's edge is stepped by a "
+                  "cell."),
+        list("walls[terrain].release.planes").required().says("Sliding planes; the highest one counts at each place."),
+        vector("walls[terrain].release.planes[].point", length).required().says("A point of the plane."),
+        number("walls[terrain].release.planes[].dip", angle)
+            .required()
+            .in({0.0, 1.57, false})
+            .says("Its steepest slope, from the horizontal."),
+        number("walls[terrain].release.planes[].dip_direction", angle)
+            .standardly("0")
+            .says("Where it falls to, as an azimuth: clockwise from north, which is +y; 90 deg is east, +x."),
+
         section("walls[].motion")
             .or_else("the wall is fixed")
             .says("A motion given in time: a steady velocity, a sine, a rotation, or all together. Bodies feel the "

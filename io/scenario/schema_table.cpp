@@ -26,6 +26,8 @@ const std::vector<Rule>& schema_rules() {
         {at_least_one, "bodies[lattice]", {"size", "shape"}},
         {at_least_one, "bodies[random]", {"size", "shape"}},
         {exactly_one, "bodies[random]", {"count", "mass", "packing_fraction"}},
+        {at_least_one, "bodies[release]", {"size", "shape"}},
+        {at_most_one, "bodies[release]", {"count", "solid_fraction"}},
         {at_most_one, "bodies[polyhedron]", {"scale", "diameter"}},
         {exactly_one, "bodies[voronoi]", {"count", "cell_size"}},
         {exactly_one, "bodies[rock_mass]", {"region", "points"}},

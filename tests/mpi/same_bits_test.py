@@ -61,6 +61,9 @@ output: {contacts: true, snapshot_interval: 20 ms, fields: [velocity, spin, orie
     def test_terrain(self):
         self.check("terrain", [terrain_scene(self), "--set", "time.end=0.4"], (2, 3, 5))
 
+    def test_rocks_from_a_release_area(self):
+        self.check("avalanche", [shipped("rock_avalanche.yaml"), "--set", "time.end=0.05"], (2,))
+
 
 def terrain_scene(test):
     """Grains that fall on hills, at the coordinates of a national grid."""

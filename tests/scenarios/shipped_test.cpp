@@ -25,6 +25,7 @@ scenarios::Built build_file(const std::filesystem::path& path) {
 }
 
 const std::map<std::string, std::size_t> kBodies = {
+    {"landslide", 22796},  {"rock_avalanche", 5751},  {"rockfall", 93},
     {"arch", 11},          {"block_wall", 410},       {"bricks", 1500},
     {"dominoes", 30},      {"jointed_slope", 170},    {"polyhedra_drop", 200},
     {"bouncing_ball", 1},  {"column_collapse", 6000}, {"hourglass", 1500},
@@ -76,24 +77,31 @@ class PlacedBodies {
   public:
     explicit PlacedBodies(const State& state) : bodies_(state.bodies) {
         for (std::size_t i = 0; i < bodies_.size() && bodies_.has_shapes(); ++i) {
+            if (is_sphere(i)) {
+                placed_.emplace_back();
+                continue;
+            }
             const ConvexShape& shape = state.shapes[raw(bodies_.shape[i])];
             room_.emplace_back(contact::placed_size(shape));
             placed_.push_back(contact::place(shape, bodies_.position[i], bodies_.orientation[i], room_.back()));
         }
     }
+    // Of a sphere and a polyhedron: from the ball that holds it.
     double gap(std::size_t i, std::size_t j) {
         const double balls = (bodies_.position[i] - bodies_.position[j]).norm() - bodies_.radius[i] - bodies_.radius[j];
-        if (!bodies_.has_shapes() || balls > 0.0) return balls;
+        if (is_sphere(i) || is_sphere(j) || balls > 0.0) return balls;
         return contact::polyhedra_gap(placed_[i], placed_[j], 1.0, scratch_).gap;
     }
     // Of a body from a plane.
     double gap(std::size_t i, const PlaneWall& plane) const {
         const double height = plane.normal.dot(bodies_.position[i] - plane.point);
-        if (!bodies_.has_shapes()) return height - bodies_.radius[i];
+        if (is_sphere(i)) return height - bodies_.radius[i];
         return height + contact::lowest(placed_[i], plane.normal).height;
     }
 
   private:
+    bool is_sphere(std::size_t i) const { return !bodies_.has_shapes() || bodies_.shape[i] == kSphere; }
+
     const Bodies& bodies_;
     std::deque<std::vector<Vec3>> room_;
     std::vector<contact::Placed> placed_;
