@@ -1,11 +1,17 @@
 #include "solvers/gauss_seidel.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace scree::solvers {
 namespace {
 
 constexpr double kMaxOverRms = 16.0;  // allowed maximum of the natural map over its allowed rms
+
+// Bodies at rest on faces: a step that takes over impulses and velocities which are within the tolerance hands errors
+// on to the next one, and with a few sweeps a step these feed one another (a pyramid of cubes goes on trembling with 2,
+// is still with 4; a wall of 20 courses takes 10). Sweeps are cheap beside the detection of polyhedra.
+constexpr int kLeastRigid = 16;
 
 // The step length of the extrapolation.
 class Momentum {
@@ -35,7 +41,7 @@ SolveReport gauss_seidel(ContactProblem<Law>& problem, const SolverSettings& set
     if (accelerate) problem.reset_momentum();
     Momentum momentum;
     double beta = 0.0;
-    int next_check = settings.min_sweeps;
+    int next_check = Law::kRigid ? std::max(kLeastRigid, settings.min_sweeps) : settings.min_sweeps;
     for (;;) {
         const double change = problem.sweep(beta, accelerate);
         ++report.sweeps;

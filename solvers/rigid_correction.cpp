@@ -15,6 +15,15 @@ namespace {
 using contact::Contact;
 using contact::NearContacts;
 
+// Overlaps up to this share of the diameter stay. A body that rests on a face has more points of contact than it needs;
+// were its overlaps, which are what the solver's tolerance leaves, taken away in full, some points would open by as
+// much and lose their impulses, so that no two steps would have the same loads and nothing would ever come to rest.
+constexpr double kRestDepth = 5e-5;
+
+double resting_bias(double gap, double share, double diameter) {
+    return gap >= 0.0 ? gap : std::min(0.0, correction_bias(gap + kRestDepth * diameter, share, diameter));
+}
+
 Vec3 displacement(const RigidLine& line) {
     return {line.v[0], line.v[1], line.v[2]};
 }
@@ -63,7 +72,7 @@ void RigidCorrection::assemble(const StepContacts& of_step, const Bodies& bodies
             batch.b[i] = c.key.is_wall() ? kGround : layout.line(c.b);
             const Vec3 to_a = point - bodies.position[c.a];
             const Vec3 to_b = c.key.is_wall() ? Vec3(Vec3::Zero()) : Vec3(point - bodies.position[c.b]);
-            const double bias = correction_bias(gap_[index], share, NearContacts::diameter(c, bodies));
+            const double bias = resting_bias(gap_[index], share, NearContacts::diameter(c, bodies));
             set_lane(batch, i, {c.normal, to_a, to_b, 0.0, bias}, sweeps_.line[batch.a[i]], sweeps_.line[batch.b[i]]);
         }
     }
@@ -123,7 +132,8 @@ CorrectionReport RigidCorrection::apply(const Scene& scene, double step, std::si
         deepest = std::max(deepest, -gap_[k] / diameter);
         settled = std::min(settled, kSettled * diameter);
     }
-    moved_ = ranks.max(deepest) > NearContacts::least_push(state.step) && scene.correction.on;
+    const double least = std::max(kRestDepth, NearContacts::least_push(state.step));
+    moved_ = ranks.max(deepest) > least && scene.correction.on;
     if (moved_) {
         assemble(of_step, bodies, scene.correction.share);
         report.sweeps =

@@ -1,7 +1,8 @@
 // Position-level correction of penetration for bodies of any shape: displacements and turns d = M^-1 H p of least
 // sum m |d|^2 + J |turn|^2 with
 //   0 <= p ⟂ n . (d_a - d_b) + c >= 0       at every contact of the step,
-//   c from the gap at the end of the step,  g + (h/2) n . u+,  to first order of the motion (position_correction.hpp)
+//   c from the gap at the end of the step,  g + (h/2) n . u+,  to first order of the motion (position_correction.hpp),
+//   0 where bodies overlap by less than 5e-5 of a diameter: deeper ones come out to there,
 // by frictionless Gauss-Seidel sweeps in the step's own layout: the contacts are those that the step has found, so that
 // polyhedra are not compared a second time. Done at the middle of the step, where normals and arms are known. Spins
 // turn with their bodies: no kinetic energy is added.

@@ -27,6 +27,11 @@ struct SmallScene {
         scene.correction.on = false;
     }
 
+    // The solver and the correction of positions as a run has them that sets nothing.
+    void standard_settings() {
+        scene.solver = {};
+        scene.correction = {};
+    }
     void gravity(const Vec3& g) { scene.gravity = TimeTable::constant(g); }
     // `mass` 0: by the material's density.
     std::size_t add(const Vec3& position, double radius, const Vec3& velocity = Vec3::Zero(),

@@ -18,4 +18,12 @@ inline Polyhedron cube(double side) {
     return box(Vec3::Constant(side));
 }
 
+// A box of sides 2 about the origin whose vertices go to f(vertex): any hexahedron. f keeps right hands right.
+template <class Map>
+Polyhedron hexahedron(const Map& f) {
+    Polyhedron body = cube(2.0);
+    for (Vec3& v : body.vertex) v = f(v);
+    return body;
+}
+
 }  // namespace scree::testing
