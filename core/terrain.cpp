@@ -137,7 +137,8 @@ std::size_t Terrain::bytes() const {
            mesh.edge.capacity() * sizeof(TerrainMesh::Edge) +
            (mesh.link_begin.capacity() + mesh.link.capacity() + mesh.owner.capacity()) * 4 + mesh.on_ridge.capacity() +
            mesh.outward.capacity() * sizeof(Vec3) + lookup.bytes() + material.capacity() * sizeof(MaterialIndex) +
-           (grid ? grid->height.capacity() * sizeof(double) : 0);
+           (grid ? grid->height.capacity() * sizeof(double) : 0) +
+           (release ? release->thickness.capacity() * sizeof(double) : 0);
 }
 
 Terrain make_terrain(HeightGrid grid, TerrainBorder border) {
