@@ -1,6 +1,7 @@
 #include "solvers/rigid_correction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/parallel/body_sums.hpp"
@@ -22,6 +23,16 @@ constexpr double kRestDepth = 5e-5;
 
 double resting_bias(double gap, double share, double diameter) {
     return gap >= 0.0 ? gap : std::min(0.0, correction_bias(gap + kRestDepth * diameter, share, diameter));
+}
+
+// [rad] Gaps are linear in turns up to half the square of this, 1e-3 of the arm. A body that would turn more (squeezed
+// where it cannot fit, say) goes a part of the way, and the penetration that is reported is the one that is left.
+constexpr double kMostTurn = 0.05;
+
+void limit_turn(RigidLine& line) {
+    const double turn = std::sqrt(line.w[0] * line.w[0] + line.w[1] * line.w[1] + line.w[2] * line.w[2]);
+    if (turn <= kMostTurn) return;
+    for (int d = 0; d < 3; ++d) line.v[d] *= kMostTurn / turn, line.w[d] *= kMostTurn / turn;
 }
 
 Vec3 displacement(const RigidLine& line) {
@@ -139,6 +150,7 @@ CorrectionReport RigidCorrection::apply(const Scene& scene, double step, std::si
         report.sweeps =
             sweep_until_settled(sweeps_, of_step.layout, exchange, settled, 1.0, scene.correction.sweeps, ranks);
         exchange.spread(sweeps_.line.data());
+        for (RigidLine& line : sweeps_.line) limit_turn(line);
         report.work = displace(of_step.layout, scene.gravity.at(state.time + step), ranks, bodies);
     }
     report.penetration = measure(of_step, state, ranks, closed);
