@@ -108,15 +108,22 @@ bool inner(const TerrainMesh& mesh, const Triangle& t, FeatureKey key) {
     return meeting == Meeting::vertex_of_b && !mesh.on_ridge[t.corner[feature]];
 }
 
-// A point on a valley that is inside the body. Below a valley there is a wedge where no triangle has ground along its
-// normal: what sinks in there is felt by these points alone.
-bool sunk_valley(const TerrainMesh& mesh, std::uint32_t triangle, const ManifoldPoint& p, double radius) {
-    if (!(p.gap < -kRoundOff * radius) || static_cast<Meeting>(p.key >> 30U) != Meeting::edges) return false;
-    const Edge& edge = mesh.edge[mesh.triangle[triangle].edge[p.key & (kMostFeatures - 1)]];
+// The ground rises beyond this edge of the triangle.
+bool is_valley(const TerrainMesh& mesh, std::uint32_t triangle, std::uint32_t which) {
+    const Edge& edge = mesh.edge[mesh.triangle[triangle].edge[which]];
     const std::uint32_t other = beyond(edge, triangle);
     if (edge.convex || other == TerrainMesh::kNone) return false;
     const Vec3& into = edge.left == triangle ? edge.into_left : edge.into_right;
     return mesh.triangle[other].normal.dot(into) > kValley;
+}
+
+// A point on a valley, or a corner in one, that is inside the body. Below a valley there is a wedge where no triangle
+// has ground along its normal: what sinks in there is felt by these points alone.
+bool sunk_valley(const TerrainMesh& mesh, std::uint32_t triangle, const ManifoldPoint& p, double radius) {
+    if (!(p.gap < -kRoundOff * radius)) return false;
+    const std::uint32_t feature = p.key & (kMostFeatures - 1);
+    if (is_valley(mesh, triangle, feature)) return true;
+    return static_cast<Meeting>(p.key >> 30U) == Meeting::vertex_of_b && is_valley(mesh, triangle, (feature + 2) % 3);
 }
 
 }  // namespace
