@@ -10,6 +10,7 @@ using Edge = TerrainMesh::Edge;
 using Triangle = TerrainMesh::Triangle;
 
 constexpr double kRoundOff = 1e-12;
+constexpr double kValley = 1e-6;  // sine of the angle by which the ground rises beyond a valley
 
 // The triangle as the top of a prism that has no bottom. Nothing is allocated after the first one.
 Placed upright(const TerrainMesh& mesh, const Triangle& t, PolyhedraScratch& scratch) {
@@ -107,6 +108,24 @@ bool inner(const TerrainMesh& mesh, const Triangle& t, FeatureKey key) {
     return meeting == Meeting::vertex_of_b && !mesh.on_ridge[t.corner[feature]];
 }
 
+// The ground rises beyond this edge of the triangle.
+bool is_valley(const TerrainMesh& mesh, std::uint32_t triangle, std::uint32_t which) {
+    const Edge& edge = mesh.edge[mesh.triangle[triangle].edge[which]];
+    const std::uint32_t other = beyond(edge, triangle);
+    if (edge.convex || other == TerrainMesh::kNone) return false;
+    const Vec3& into = edge.left == triangle ? edge.into_left : edge.into_right;
+    return mesh.triangle[other].normal.dot(into) > kValley;
+}
+
+// A point on a valley, or a corner in one, that is inside the body. Below a valley there is a wedge where no triangle
+// has ground along its normal: what sinks in there is felt by these points alone.
+bool sunk_valley(const TerrainMesh& mesh, std::uint32_t triangle, const ManifoldPoint& p, double radius) {
+    if (!(p.gap < -kRoundOff * radius)) return false;
+    const std::uint32_t feature = p.key & (kMostFeatures - 1);
+    if (is_valley(mesh, triangle, feature)) return true;
+    return static_cast<Meeting>(p.key >> 30U) == Meeting::vertex_of_b && is_valley(mesh, triangle, (feature + 2) % 3);
+}
+
 }  // namespace
 
 bool polyhedron_triangle(const Placed& body, const TerrainMesh& mesh, std::uint32_t triangle, double depth,
@@ -132,7 +151,7 @@ bool polyhedron_triangle(const Placed& body, const TerrainMesh& mesh, std::uint3
     int kept = 0;
     for (int i = 0; i < out.count; ++i) {
         ManifoldPoint p = out.item[static_cast<std::size_t>(i)];
-        if (best.own && inner(mesh, t, p.key)) continue;
+        if (best.own && inner(mesh, t, p.key) && !sunk_valley(mesh, triangle, p, body.shape->radius)) continue;
         p.point += prism.position;
         out.item[static_cast<std::size_t>(kept++)] = p;
     }

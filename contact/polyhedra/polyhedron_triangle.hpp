@@ -11,7 +11,9 @@
 // Flat edges and valleys have no arc: no direction but the triangles' own acts there, so nothing catches on an inner
 // edge (Voronoi regions; Ericson 2005; Coumans 2011). Ridges and vertices belong to their first triangle; the others
 // leave them to it. The points are those of patch.hpp. With the triangle's own normal, those where the body crosses a
-// flat edge or valley, or covers a vertex without a ridge, are left out: the surface goes on there.
+// flat edge or valley, or covers a vertex without a ridge, are left out: the surface goes on there. Of valleys those
+// that are inside the body stay: below a valley no triangle has ground along its normal, and a corner of the body would
+// sink in.
 //
 // Bodies that are apart by less than the margin, with a vertex nearest to a ridge or an edge nearest to a vertex, are
 // not reported before features meet that make a normal: such pairs touch only by chance.

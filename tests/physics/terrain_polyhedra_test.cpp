@@ -104,6 +104,52 @@ void expect_none_gets_through(std::uint64_t seed, int shots) {
     EXPECT_EQ(whole.under_at_end, 0);
 }
 
+// How far corners of the body lie below the triangles over them [m].
+double deepest_corner(const World& w, const Terrain& terrain) {
+    const ConvexShape& shape = w.state.shapes[0];
+    double deepest = 0.0;
+    for (const Vec3& v : shape.vertex) {
+        const Vec3 x = w.state.bodies.position[0] + w.state.bodies.orientation[0] * v;
+        const auto column = terrain.column(x.x(), x.y());
+        if (!column || !terrain.under(x)) continue;
+        const TerrainMesh::Triangle& above = terrain.mesh.triangle[*column];
+        deepest = std::max(deepest, -above.normal.dot(x - terrain.mesh.vertex[above.corner[0]]));
+    }
+    return deepest;
+}
+
+// Dropped on noise as rough as they are, a corner comes to lie in a valley often: below it, where neither of the two
+// triangles has ground along its normal, it must not sink in.
+TEST(TerrainPolyhedra, CornersDoNotSinkIntoValleys) {
+    const double cell = 0.5;
+    const WallShape shape = wall_of(noisy_grid(61, cell, 0.8 * cell, 51));
+    const Terrain& terrain = *std::get<TerrainWall>(shape).terrain;
+    double deepest = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        Random random(51, 7, static_cast<std::uint64_t>(i));
+        const double radius = cell * random.uniform(0.3, 1.5);
+        World w(2e-3, 0.5);
+        w.gravity({0, 0, -9.81});
+        w.scene.correction.on = true;
+        w.scene.solver.tolerance = 1e-4;
+        w.scene.solver.max_sweeps = 500;
+        w.add_wall(shape);
+        Polyhedron body = any_solid(random);
+        for (Vec3& v : body.vertex) v *= radius;
+        const Vec3 at(random.uniform(-10, 10), random.uniform(-10, 10), terrain.upper.z() + radius);
+        w.add(body, at, any_turn(random).normalized());
+        w.run(800);
+        double worst = 0.0;
+        for (int k = 0; k < 50; ++k) {
+            w.step();
+            worst = std::max(worst, deepest_corner(w, terrain) / radius);
+        }
+        EXPECT_LT(worst, 0.02) << i;
+        deepest = std::max(deepest, worst);
+    }
+    std::printf("    deepest corner %.4f radii below the surface\n", deepest);
+}
+
 TEST(TerrainPolyhedra, FastOnesDoNotGetThrough) {
     expect_none_gets_through(41, 5000);
 }
