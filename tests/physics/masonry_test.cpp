@@ -98,11 +98,11 @@ struct Cards {
     }
 };
 
-TEST(Masonry, AColumnOfTenCubesStands) {
+TEST(Masonry, AColumnOfTwentyCubesStands) {
     World w(kStep, 0.6);
     w.standard_settings();
-    column(w, 10);
-    expect_rest(w, 10.0, 10);
+    column(w, 20);
+    expect_rest(w, 10.0, 20);
 }
 
 TEST(Masonry, APyramidStands) {
@@ -135,14 +135,15 @@ TEST(Masonry, ACardHouseStandsAboveTheLimitOfFrictionAndFallsBelow) {
     }
 }
 
-// The velocities that the solver leaves add up over the cubes: a slender column is solved to 1e-6.
+// The velocities that the solver leaves add up over the cubes: solved to the 1e-2 of the settings by default this one
+// sways by 1 to 2 cm/s. So it is solved to 1e-6.
 TEST(Masonry, AColumnOfFiftyCubesStands) {
     World w(kStep, 0.6);
     w.standard_settings();
     w.scene.solver.tolerance = 1e-6;
     w.scene.solver.max_sweeps = 5000;
     column(w, 50);
-    expect_rest(w, 4.0, 50);
+    expect_rest(w, 10.0, 50);
 }
 
 TEST(Masonry, DISABLED_AMinute) {
