@@ -25,6 +25,7 @@ Row Row::in(Range r) && {
 }
 Row Row::required() && {
     is_required = true;
+    standard.clear();  // an absent list is an empty one, unless it is required
     return std::move(*this);
 }
 Row Row::standardly(std::string yaml) && {

@@ -43,7 +43,7 @@ TEST(Files, AreReadByPython) {
     write_checkpoint(folder / "checkpoint", state, sample_provenance());
     State rocks = polyhedra_state(20);
     SnapshotSeries(folder / "rocks", 0).write(scene, rocks, {}, sample_provenance());
-    const std::string script = (std::filesystem::path(__FILE__).parent_path() / "read_files.py").string();
+    const std::string script = std::string(SCREE_TEST_FOLDER "/read_files.py");
     EXPECT_EQ(run(std::string(kPython) + " '" + script + "' '" + folder.path() + "'"), 0);
 }
 
