@@ -8,7 +8,7 @@
 namespace scree::solvers {
 
 template <class Real>
-struct alignas(16 * sizeof(Real)) RigidLineOf {
+struct alignas(64) RigidLineOf {
     Real v[3];          // of the centre of mass [m/s]
     Real inverse_mass;  // [1/kg], 0 for what no impulse moves
     Real w[3];          // spin [rad/s]
